@@ -8,23 +8,23 @@
 
 namespace sonde {
 
-/// µs of a monotonic clock.
+/// Time of a monotonic clock, µs.
 inline double now_us() {
   using namespace std::chrono;
   return duration<double, std::micro>(steady_clock::now().time_since_epoch()).count();
 }
 
 /// The remaining effort of a query. The query counts its work itself, in units of about 10 ns, so
-/// that a limit on it gives the same bits on every machine; it also looks at a clock now and then.
-/// Long queries check after each small piece of work, and stop with what they know by then.
+/// that a limit on it gives the same bits on every machine; it also reads a clock from time to
+/// time. Long queries check it after each small piece of work, and stop with the results so far.
 class Effort {
  public:
   Effort() = default;  ///< no limit
-  /// `work`: units at most (0: no limit). `until`: of now_us() (0: none).
+  /// `work`: maximum number of units (0: no limit). `until`: a time of now_us() (0: no limit).
   Effort(std::int64_t work, double until)
       : left_(work > 0 ? work : std::numeric_limits<std::int64_t>::max()), until_(until) {}
 
-  /// False when nothing is left.
+  /// Spends units of work. Returns false when nothing is left.
   bool spend(int work) noexcept {
     left_ -= work;
     if (until_ > 0 && left_ > 0 && (unwatched_ += work) > between_looks) {
@@ -51,7 +51,7 @@ class Effort {
     const std::int64_t most = part.left_ = std::min(work, left_);
     const auto out = task(part);
     left_ -= most - std::max<std::int64_t>(0, part.left_);
-    unwatched_ = between_looks;  // the clock is looked at next time
+    unwatched_ = between_looks;  // the next spend() reads the clock
     return out;
   }
   /// The same, with a share of the remaining effort.
@@ -65,7 +65,7 @@ class Effort {
     const auto out = task(part);
     const bool counted = left_ < std::numeric_limits<std::int64_t>::max() / 2;
     if (counted) left_ -= most - std::max<std::int64_t>(0, part.left_);
-    unwatched_ = between_looks;  // the clock is looked at next time
+    unwatched_ = between_looks;  // the next spend() reads the clock
     return out;
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each function is a series in pairs of doubles on a short interval. The terms that weigh less than
-// 2^-18 of the sum are in doubles, so that some 70 bits of the sum are right.
+// Each function is a series in pairs of doubles on a short interval. Terms below 2^-18 of the sum
+// are computed in doubles, so that some 70 bits of the sum are right.
 #include "engine/base/elementary.hpp"
 
 #include <array>
@@ -77,10 +77,10 @@ struct Turned {
 
 constexpr double largest_angle = 0x1p20;
 
-/// The whole number nearest to |x| < 2^51.
+/// The integer nearest to x, for |x| < 2^51.
 double nearest(double x) { return (x + 0x1.8p52) - 0x1.8p52; }
 
-/// Takes n·(parts[0] + parts[1] + ...) from x, where the products of all parts but the last are
+/// Subtracts n·(parts[0] + parts[1] + ...) from x. The products of all parts but the last are
 /// exact.
 template <std::size_t N>
 NumberPair reduced(double x, double n, const std::array<double, N>& parts) {
@@ -100,7 +100,7 @@ Turned turned(double x) {
   return {reduced(x, n, parts), static_cast<int>(n) & 3};
 }
 
-/// Where the first term of a sine is all that a double holds.
+/// Whether only the first term of the sine's series matters in double precision.
 bool is_tiny(double x) { return std::abs(x) < 0x1p-27; }
 
 /// exp(x) = 2^power·(1 + rest).
@@ -127,7 +127,7 @@ Exponential exponential(NumberPair x) {
   return {r * series(r, first, rest), static_cast<int>(n)};
 }
 
-/// exp(x) of what overflows or underflows to nothing by far.
+/// exp(x) for an x at which it certainly overflows or underflows.
 double beyond(double x) { return x > 0 ? infinity : 0; }
 constexpr double largest_exponent = 746;
 
@@ -143,7 +143,7 @@ constexpr std::array<NumberPair, N> inverse_odd(int from) {
   return out;
 }
 
-/// Of a finite x > 0, by the inverse hyperbolic tangent of (m - 1)/(m + 1), x = 2^e·m.
+/// For a finite x > 0, by the inverse hyperbolic tangent of (m - 1)/(m + 1), x = 2^e·m.
 NumberPair logarithm(NumberPair x) {
   static constexpr auto first = inverse_odd<3>(1);
   static constexpr auto rest = rounded(inverse_odd<11>(4));
@@ -161,7 +161,7 @@ NumberPair logarithm(NumberPair x) {
   return -reduced(0, e, ln2) + of_m;
 }
 
-/// The angle in [0, π/2] whose tangent is y/x, of y, x ≥ 0 of which the larger is near 1.
+/// The angle in [0, π/2] whose tangent is y/x, for y, x ≥ 0, of which the larger is near 1.
 NumberPair first_quadrant(NumberPair y, NumberPair x) {
   // atan(k/16)
   static constexpr std::array<NumberPair, 17> steps = {{
@@ -192,7 +192,7 @@ NumberPair first_quadrant(NumberPair y, NumberPair x) {
   return steps[static_cast<std::size_t>(step)] + (t + t * square * series(square, first, rest));
 }
 
-/// x becomes 1 where it is infinite, else 0: what its direction is beside a finite number.
+/// 1 if x is infinite, otherwise 0: its direction compared with a finite number.
 double as_direction(double x) { return std::isinf(x) ? 1 : 0; }
 
 double arc(double y, double x) {

@@ -7,8 +7,8 @@
 
 namespace sonde {
 
-/// Input that cannot be used. what() is one line: "FILE:LINE: reason", "FILE: byte N: reason" or
-/// "FILE: reason". The programs show it and exit with code 3, or show it in a message box.
+/// Unusable input. what() is one line: "FILE:LINE: reason", "FILE: byte N: reason" or "FILE:
+/// reason". The programs print it and exit with code 3, or show it in a message box.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

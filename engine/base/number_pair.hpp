@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A number as the sum of two doubles, the second below half a unit in the last place of the first:
 // some 104 bits (Dekker, 1971; Joldes, Muller and Popescu, 2017). Without FMA, so that each
-// operation is the same on every processor. Right only where no product overflows or underflows:
-// the callers scale what they give.
+// operation is the same on every processor. Correct only if no product overflows or underflows:
+// callers must scale their arguments.
 #pragma once
 
 namespace sonde {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sorting and selection that leave equal elements in the same places with every standard library:
-// the standard's own leave them where they like, and what is looked at first has its say in the
+// Sorting and selection that leave equal elements in the same places with every standard library.
+// The standard's own algorithms leave their order open, and the order of evaluation affects the
 // last bits of an answer. The steps are those of GCC's library (Musser's introsort and introselect,
-// and binary heaps), so that there nothing differs from std::sort and the others. The engine uses
-// no others of these but std::stable_sort (packaging/check-style refuses them).
+// and binary heaps), so there the results equal those of std::sort and the others. The engine uses
+// no others of these except std::stable_sort (packaging/check-style refuses them).
 #pragma once
 
 #include <bit>
@@ -18,7 +18,7 @@ namespace sonde::ordering {
 
 namespace steps {
 
-/// From here on a range is sorted by insertion alone.
+/// Shorter ranges are sorted by insertion only.
 inline constexpr std::ptrdiff_t few = 16;
 
 template <std::random_access_iterator It, class T, class Less>
@@ -46,7 +46,7 @@ void sift_down(It first, std::ptrdiff_t at, std::ptrdiff_t size, T value, Less l
   sift_up(first, at, top, std::move(value), less);
 }
 
-/// The largest goes to `to`, whose element comes into the heap.
+/// Moves the largest to `to`, whose element is inserted into the heap.
 template <std::random_access_iterator It, class Less>
 void exchange_largest(It first, It last, It to, Less less) {
   auto value = std::move(*to);
@@ -65,7 +65,7 @@ void insertion_sort(It first, It last, Less less) {
   }
 }
 
-/// The median of three goes first; returns where those that are not less than it begin.
+/// Moves the median of three to the front; returns where the elements not less than it begin.
 template <std::random_access_iterator It, class Less>
 It cut(It first, It last, Less less) {
   const It a = first + 1, b = first + (last - first) / 2, c = last - 1;
@@ -105,7 +105,7 @@ void pop_heap(It first, It last, Less less) {
 
 namespace steps {
 
-/// The least come first, as a heap.
+/// Moves the least elements to the front, as a heap.
 template <std::random_access_iterator It, class Less>
 void gather_least(It first, It middle, It last, Less less) {
   const std::ptrdiff_t size = middle - first;
@@ -119,7 +119,7 @@ void gather_least(It first, It middle, It last, Less less) {
 
 }  // namespace steps
 
-/// The least come first, in order.
+/// Moves the least elements to the front, in order.
 template <std::random_access_iterator It, class Less>
 void partial_sort(It first, It middle, It last, Less less) {
   if (first == middle) return;
@@ -148,7 +148,7 @@ void sort(It first, It last, Less less = {}) {
   steps::insertion_sort(first, last, less);
 }
 
-/// By what the projection makes of an element.
+/// Sorts by the projections of the elements.
 template <std::ranges::random_access_range Range, class Less = std::less<>,
           class Projection = std::identity>
 void sort(Range&& range, Less less = {}, Projection projection = {}) {
@@ -157,7 +157,8 @@ void sort(Range&& range, Less less = {}, Projection projection = {}) {
   });
 }
 
-/// What would be at `nth` in order is there, and none before it is greater than any after it.
+/// Puts the element at `nth` that sorting would put there; none before it is greater than any after
+/// it.
 template <std::random_access_iterator It, class Less = std::less<>>
 void nth_element(It first, It nth, It last, Less less = {}) {
   if (first == last || nth == last) return;
@@ -172,7 +173,7 @@ void nth_element(It first, It nth, It last, Less less = {}) {
   steps::insertion_sort(first, last, less);
 }
 
-/// Those that fit come first; returns where the others begin.
+/// Moves the elements that fit to the front; returns where the others begin.
 template <std::random_access_iterator It, class Fits>
 It partition(It first, It last, Fits fits) {
   for (;; ++first) {
@@ -185,7 +186,7 @@ It partition(It first, It last, Fits fits) {
   }
 }
 
-/// The greatest comes out first.
+/// A priority queue: the greatest element comes out first.
 template <class T>
 class Queue {
  public:

@@ -6,8 +6,8 @@
 
 namespace sonde {
 
-/// Adds the time of its life to a phase. Without times to add to it does not even look at the
-/// clock, which would cost some 50 ns. Timers must not nest: the inner time would count twice.
+/// Adds its lifetime to a phase. Without times to add to, it does not read the clock, which would
+/// cost some 50 ns. Timers must not nest, since the inner time would count twice.
 class PhaseTimer {
  public:
   PhaseTimer(PhaseTimes* times, Phase phase) noexcept

@@ -9,27 +9,27 @@ namespace sonde {
 /// The phases of a search and of a tick.
 enum class Phase {
   sketch,  ///< descents on the sketches of the bodies
-  look,    ///< for near pairs, and what makes rows of them
+  look,    ///< search for near pairs, and making rows of them
   solve,   ///< the least-distance problem of the rows
-  sweep,   ///< a path of the probe
-  verify,  ///< whether a pose is free
+  sweep,   ///< the sweep of a path of the probe
+  verify,  ///< tests whether a pose is free
   bound,   ///< the certified lower bound
   couple,  ///< from the separation to the wrench on the hand
 };
 /// The words for the phases in files, in the order of the enum.
 inline constexpr std::array<const char*, 7> phase_names{"sketch", "look",  "solve", "sweep",
                                                         "verify", "bound", "couple"};
-/// How many there are.
+/// The number of phases.
 inline constexpr std::size_t phase_count = phase_names.size();
 
 /// Where the time of an answer went, µs of each thread's clock; with two threads, the sum of both.
-/// What lies between the phases is in none of them. All 0 unless they were asked for.
+/// Time between the phases is not included. All 0 unless requested.
 struct PhaseTimes {
   std::array<double, phase_count> us{};  ///< in the order of Phase
 
   /// The time of one phase, µs.
   double& operator[](Phase phase) { return us[static_cast<std::size_t>(phase)]; }
-  /// The same.
+  /// The time of one phase, µs.
   double operator[](Phase phase) const { return us[static_cast<std::size_t>(phase)]; }
   /// Adds the times of each phase.
   PhaseTimes& operator+=(const PhaseTimes& other) {

@@ -9,18 +9,18 @@
 
 namespace sonde {
 
-/// Asked now and then by long work that knows no fraction: true where it is to stop (most of it
-/// then throws Cancelled).
+/// Called from time to time by long work without a known fraction; returns true to stop it (most of
+/// this work then throws Cancelled).
 using Stop = std::function<bool()>;
 
-/// Tells progress, where there is any; throws Cancelled where it says so.
+/// Calls `progress`, if there is any; throws Cancelled if it returns false.
 void report(const Progress& progress, double fraction);
 
-/// The part of a progress from one fraction to another. It refers to the whole, and must not
-/// outlive it.
+/// Maps a progress to the range between two fractions of the whole. It refers to the whole, and
+/// must not outlive it.
 Progress part_of(const Progress& progress, double from, double to);
 
-/// Does step(i) for 0 ≤ i < n, and reports before each piece: one of this size takes milliseconds.
+/// Calls step(i) for 0 ≤ i < n, and reports before each piece; a piece takes milliseconds.
 template <class Step>
 void for_each_index(std::size_t n, const Progress& progress, Step step) {
   constexpr std::size_t piece = 1 << 16;

@@ -5,8 +5,8 @@
 
 namespace sonde {
 
-/// The least of the values that the given share (0 to 1) of them does not exceed (nearest rank):
-/// always one of them. The values must be in order; NaN where there are none.
+/// The smallest of the values that is not exceeded by the given share (0 to 1) of them (nearest
+/// rank): always one of the values, which must be sorted; NaN if there are none.
 double quantile(std::span<const double> sorted, double share);
 
 }  // namespace sonde

@@ -14,8 +14,8 @@ class Recent {
  public:
   Recent() { number_.fill(none); }
 
-  /// The result of make(number), which must be the same every time. The reference holds until the
-  /// next call. The number must not be 2³² − 1.
+  /// The result of make(number), which must be the same every time. The reference is valid until
+  /// the next call. The number must not be 2³² − 1.
   template <class Make>
   const Value& at(std::uint32_t number, const Make& make) {
     const std::size_t place = number % places;

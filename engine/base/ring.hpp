@@ -8,8 +8,8 @@
 
 namespace sonde {
 
-/// A lock-free queue from one writing thread to one reading thread. Where the reader does not keep
-/// up, new items are dropped and counted: the writer never waits. Allocates only when constructed.
+/// A lock-free queue from one writing thread to one reading thread. If the reader does not keep up,
+/// new items are dropped and counted: the writer never waits. Allocates only in its constructor.
 template <class T>
 class Ring {
  public:
@@ -17,7 +17,7 @@ class Ring {
   Ring(const Ring&) = delete;
   Ring& operator=(const Ring&) = delete;
 
-  /// The writer's side. False where there was no room.
+  /// For the writer. Returns false if there was no room.
   bool push(const T& item) noexcept {
     const std::size_t at = end_.load(std::memory_order_relaxed);
     const std::size_t next = after(at);
@@ -30,7 +30,7 @@ class Ring {
     return true;
   }
 
-  /// The reader's side. False where there is nothing more.
+  /// For the reader. Returns false if it is empty.
   bool pop(T& item) noexcept {
     const std::size_t at = begin_.load(std::memory_order_relaxed);
     if (at == end_.load(std::memory_order_acquire)) return false;
@@ -41,7 +41,7 @@ class Ring {
 
   std::uint64_t lost() const noexcept { return lost_.load(std::memory_order_relaxed); }
 
-  /// Empties it and forgets the losses. Only while no other thread uses the ring.
+  /// Empties the ring and resets the losses. Only while no other thread uses the ring.
   void clear() noexcept {
     begin_.store(0, std::memory_order_relaxed);
     end_.store(0, std::memory_order_relaxed);
@@ -52,7 +52,7 @@ class Ring {
   std::size_t after(std::size_t i) const { return i + 1 == items_.size() ? 0 : i + 1; }
 
   static constexpr std::size_t cache_line = 64;
-  std::vector<T> items_;  ///< one more than the capacity: full and empty must differ
+  std::vector<T> items_;  ///< one more than the capacity, to distinguish full from empty
   alignas(cache_line) std::atomic<std::size_t> begin_{0};
   alignas(cache_line) std::atomic<std::size_t> end_{0};
   alignas(cache_line) std::atomic<std::uint64_t> lost_{0};

@@ -12,8 +12,8 @@ namespace sonde {
 /// small pieces of work: starting a thread for each would cost as much as the work.
 class ThreadPair {
  public:
-  /// work(k, lane), for k < count; the lane is k % 2. What one lane does is done in order, so that
-  /// it may have a memory.
+  /// work(k, lane), for k < count; the lane is k % 2. The work of one lane is done in order, so it
+  /// may keep state.
   using Work = std::function<void(std::size_t k, std::size_t lane)>;
 
   explicit ThreadPair(bool two_threads) : two_threads_(two_threads) {}
@@ -23,7 +23,7 @@ class ThreadPair {
 
   /// Runs work for all k < count, each once, and returns when all are done. Work must not throw. If
   /// the other thread has not started by the time this one has finished its lane, this one does
-  /// both.
+  /// both lanes.
   void each(std::size_t count, const Work& work);
 
  private:

@@ -23,7 +23,7 @@ void run_both(bool two_threads, const Progress& progress, const Part& here, cons
         fault = std::current_exception();
       }
     });
-    here(progress);  // an exception leaves the block: the thread is asked to stop, and waited for
+    here(progress);  // on an exception the thread is asked to stop, and joined
     other.join();
   }
   if (fault) std::rethrow_exception(fault);

@@ -17,9 +17,9 @@
 
 namespace sonde {
 
-/// More threads for long work.
+/// Functions that run long work on several threads.
 
-/// Fewer triangles than this are done before a second thread has started.
+/// Work on fewer triangles than this is done before a second thread would have started.
 constexpr std::size_t worth_a_thread = 20'000;
 
 using Part = std::function<void(const Progress&)>;
@@ -29,8 +29,8 @@ using Part = std::function<void(const Progress&)>;
 /// progress of `there` also cancels. Throws what either throws.
 void run_both(bool two_threads, const Progress& progress, const Part& here, const Part& there);
 
-/// Calls task(i) for every i below n, each once, in any order, on that many threads, including this
-/// one. The first exception ends it and is thrown here.
+/// Calls task(i) for every i below n, each once, in any order, on `threads` threads, including this
+/// one. The first exception ends it and is rethrown here.
 template <class Task>
 void run_parallel(std::size_t n, std::size_t threads, const Task& task) {
   std::atomic<std::size_t> next{0};
@@ -53,9 +53,9 @@ void run_parallel(std::size_t n, std::size_t threads, const Task& task) {
   if (failure) std::rethrow_exception(failure);
 }
 
-/// Calls done(i, compute(i)) for every i below n in this order, one at a time, compute on that many
-/// threads, including this one. A result waits for those before it: no thread begins one that is
-/// further ahead than `ahead`. The first exception ends it and is thrown here.
+/// Calls done(i, compute(i)) for every i below n in this order, one at a time, with compute on
+/// `threads` threads, including this one. A result waits for those before it; no thread begins an
+/// index further ahead than `ahead`. The first exception ends it and is rethrown here.
 template <class Compute, class Done>
 void run_in_order(std::size_t n, std::size_t threads, const Compute& compute, const Done& done,
                   std::size_t ahead = 4096) {
@@ -63,7 +63,7 @@ void run_in_order(std::size_t n, std::size_t threads, const Compute& compute, co
   std::mutex mutex;
   std::condition_variable moved_on;
   std::map<std::size_t, Result> waiting;
-  std::size_t next = 0, first = 0;  // to be begun, to be done
+  std::size_t next = 0, first = 0;  // next to begin; next to finish
   std::exception_ptr failure;
   const auto work = [&] {
     std::unique_lock lock(mutex);

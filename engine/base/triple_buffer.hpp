@@ -8,9 +8,9 @@
 namespace sonde {
 
 /// Passes the newest value from one writing thread to one reading thread, without a lock: the
-/// writer never waits and the reader never sees half a value. Of the three slots one is the
-/// writer's, one the reader's. The third changes hands in the middle, with a bit that says whether
-/// it is fresh.
+/// writer never waits and the reader never sees a partial value. One of the three slots belongs to
+/// the writer and one to the reader. The third is exchanged between them, with a bit that says
+/// whether it is new.
 template <class T>
 class TripleBuffer {
  public:
@@ -18,8 +18,8 @@ class TripleBuffer {
   TripleBuffer(const TripleBuffer&) = delete;
   TripleBuffer& operator=(const TripleBuffer&) = delete;
 
-  // The writer's side.
-  T& back() { return slots_[back_].value; }  ///< to be filled; holds some older value
+  // For the writer.
+  T& back() { return slots_[back_].value; }  ///< to be filled; holds an older value
   void publish() {
     const unsigned old = middle_.exchange(back_ | fresh, std::memory_order_acq_rel);
     back_ = old & index;
@@ -29,8 +29,8 @@ class TripleBuffer {
     publish();
   }
 
-  // The reader's side.
-  /// Takes over the newest value; false where nothing was published since the last call.
+  // For the reader.
+  /// Takes over the newest value; returns false if nothing was published since the last call.
   bool update() {
     if ((middle_.load(std::memory_order_relaxed) & fresh) == 0) return false;
     const unsigned old = middle_.exchange(front_, std::memory_order_acq_rel);
@@ -39,7 +39,7 @@ class TripleBuffer {
   }
   const T& front() const { return slots_[front_].value; }  ///< unchanged until the next update()
 
-  /// Starts over with nothing fresh. Only while no other thread uses the buffer.
+  /// Resets to a value that is not new. Only while no other thread uses the buffer.
   void fill(const T& value) {
     for (Slot& slot : slots_) slot.value = value;
     back_ = 0;
@@ -52,7 +52,7 @@ class TripleBuffer {
   static constexpr unsigned fresh = 4;
   static constexpr std::size_t cache_line = 64;
 
-  /// Apart in memory, so that neither side slows the other down by writing next to it.
+  /// In separate cache lines, to avoid false sharing between the two sides.
   struct alignas(cache_line) Slot {
     T value{};
   };

@@ -9,23 +9,23 @@ namespace sonde {
 
 /// The mapping from a device axis to one axis of the motion.
 struct AxisSetting {
-  int source = 0;  ///< the device axis that drives it, 0 to 5 in the order of SixAxes: swaps
+  int source = 0;  ///< the device axis, 0 to 5 in the order of SixAxes; allows swaps
   bool inverted = false;
   double gain = 1;          ///< 0 switches the axis off
   double dead_zone = 0.05;  ///< a deflection up to this counts as zero; 0 to below 1
-  double expo = 0;          ///< 0 to 1: how much finer small deflections act; 0: all the same
+  double expo = 0;          ///< 0 to 1: finer response to small deflections; 0: linear
 };
 
 struct AxisMap {
   std::array<AxisSetting, 6> axes{{{0}, {1}, {2}, {3}, {4}, {5}}};
 };
 
-/// The mapped deflections, each from -gain to gain. What is left of d beyond the dead zone, 0 to 1,
-/// becomes (1 - expo) d + expo d³. Continuous, rising, and full deflection stays full. A source
-/// that is not an axis gives zero.
+/// The mapped deflections, each from -gain to gain. The part d of a deflection beyond the dead
+/// zone, 0 to 1, becomes (1 - expo) d + expo d³. Continuous and increasing; full deflection stays
+/// full. A source that is not an axis gives zero.
 SixAxes mapped(const AxisMap& map, const SixAxes& deflection) noexcept;
 
-/// The displacement, or the velocity, of full deflection.
+/// The displacement, or the velocity, at full deflection.
 struct Reach {
   double translation = 0.1;  ///< m, or m/s
   double rotation = 1;       ///< rad, or rad/s
@@ -43,8 +43,9 @@ Pose position_at_rest(const Pose& X_FP, const SixAxes& mapped, const Reach& reac
 Pose rate_controlled(const Pose& X_FP, const SixAxes& mapped, const Reach& rate,
                      double dt) noexcept;
 
-/// First-order low-pass: what `last` becomes after dt (s) of `target`. Smooths the steps of a
-/// device that reports at 62 Hz. A time constant of 0 follows at once.
+/// First-order low-pass filter: the value of `last` after dt (s) with the input `target`. Smooths
+/// the steps of a device that reports at 62 Hz. With a time constant of 0 the output follows
+/// immediately.
 SixAxes smoothed(const SixAxes& last, const SixAxes& target, double dt,
                  double time_constant) noexcept;
 

@@ -70,7 +70,7 @@ const char* name_of(DeviceKind kind) {
 
 DeviceSettings usual_settings(DeviceKind kind) {
   DeviceSettings settings;
-  // The flat part that Linux gives the axes of joysticks (hid-input.c): 1/16 of the whole range.
+  // The dead zone that Linux gives the axes of joysticks (hid-input.c): 1/16 of the whole range.
   constexpr double flat = 2. / 16;
   if (kind == DeviceKind::controller)
     for (AxisSetting& axis : settings.axes.axes) axis.dead_zone = flat;
@@ -83,7 +83,7 @@ std::optional<DeviceKind> kind_of(const HidInfo& info) {
   if (is_plain_3dconnexion(info.vendor, info.product)) return {};
   if (info.has(multi_axis_controller)) return DeviceKind::space_mouse;
   if (info.has(joystick) || info.has(game_pad)) return DeviceKind::controller;
-  // Nothing known of an interface whose descriptor could not be read: opening it will say so.
+  // The descriptor of this interface could not be read; opening it will report the reason.
   const bool no_usage =
       std::ranges::all_of(info.usages, [](HidUsage usage) { return usage == HidUsage{}; });
   if (no_usage && space_mouse_name(info.vendor, info.product)) return DeviceKind::space_mouse;

@@ -18,34 +18,34 @@ namespace sonde {
 enum class DeviceKind { space_mouse, force_device, arm, controller };
 const char* name_of(DeviceKind kind);
 
-/// The settings that a device of the kind begins with. Sticks rest less exactly than pucks do.
+/// The initial settings of a device of this kind. Sticks return to rest less exactly than pucks.
 DeviceSettings usual_settings(DeviceKind kind);
 
-/// The kind of the interface, by its ids and usages; none where it is not a 6-DoF device, or is
+/// The kind of the interface, by its ids and usages; none if it is not a 6-DoF device, or is
 /// another interface of one.
 std::optional<DeviceKind> kind_of(const HidInfo& info);
 
-/// The device's name: by its ids, else its own.
+/// The device's name: by its ids, otherwise its own.
 std::string name_of(const HidInfo& info);
 
 /// An open device and its driver.
 struct Connection {
-  std::optional<HidDevice> hid;  ///< none of an arm
+  std::optional<HidDevice> hid;  ///< none for an arm
   std::variant<SpaceMouse, ForceDevice, ForceArm, StickController> driver;
 
   const DeviceCapabilities& capabilities() const;
 };
 
-/// Opens it and verifies its kind. Throws InputError "PATH: reason", which names the program that
-/// holds it where there is one.
+/// Opens a device and verifies its kind. Throws InputError "PATH: reason", which names the program
+/// that holds the device, if there is one.
 Connection connect(const HidInfo& info);
 
-/// A 6-DoF device as found without opening it.
+/// A 6-DoF device, found without opening it.
 struct ConnectedDevice {
   HidInfo info;
   DeviceKind kind = DeviceKind::space_mouse;
 };
-/// Every one that is connected; game controllers last, as what is taken if there is nothing better.
+/// All connected devices; game controllers last, for use if there is nothing better.
 std::vector<ConnectedDevice> connected_devices();
 
 /// One connected device, and whether it can be used.
@@ -53,13 +53,13 @@ struct DeviceListing {
   HidInfo info;
   DeviceKind kind = DeviceKind::space_mouse;
   bool opens = false;
-  std::string name{};                 ///< as it calls itself, which an arm may do only when open
+  std::string name{};                 ///< its own name, which an arm may report only when open
   std::string reason{};               ///< why it does not open
-  std::string note{};                 ///< who else may hold it
-  DeviceCapabilities capabilities{};  ///< of one that opens
+  std::string note{};                 ///< another program that may hold it
+  DeviceCapabilities capabilities{};  ///< if it opens
 };
 
-/// Every 6-DoF device, each opened and closed again.
+/// All 6-DoF devices; each is opened and closed again.
 std::vector<DeviceListing> list_devices();
 
 }  // namespace sonde

@@ -10,20 +10,20 @@
 
 namespace sonde {
 
-/// A connected device that holds the probe: its samples pass a DeviceMotion, and the wrench goes
-/// back to it.
+/// A connected device that holds the probe: its samples go through a DeviceMotion, and the wrench
+/// goes back to it.
 class DeviceHand {
  public:
-  /// The probe is at X_FM, com its centre of mass in its mesh frame.
+  /// The probe is at X_FM; `com` is its centre of mass in its mesh frame.
   DeviceHand(std::shared_ptr<InputDevice> device, const DeviceSettings& settings, const Vec3& com,
              const Pose& X_FM);
   DeviceHand(const DeviceHand&) = delete;
   DeviceHand& operator=(const DeviceHand&) = delete;
 
-  /// For the servo; this object must outlive it.
+  /// Functions for the servo; this object must outlive it.
   Hand hand();
 
-  // From one other thread; they act on the next tick.
+  // To be called from one other thread; they act on the next tick.
   void set_settings(const DeviceSettings& settings) { settings_.write(settings); }
   void set_view(const Quat& q_FV) { views_.write(q_FV); }
   void place(const Pose& X_FM) { places_.write(X_FM); }

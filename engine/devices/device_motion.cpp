@@ -9,10 +9,10 @@
 namespace sonde {
 namespace {
 
-/// A tick that comes late must not fling the probe.
+/// s: a late tick must not throw the probe.
 constexpr double longest_step = 0.01;  // s
 
-/// A puck that sends nothing has been let go: that is no fault.
+/// A puck that sends nothing has been released, which is no fault.
 bool usable(const DeviceSample& sample) {
   return sample.state == DeviceState::ready ||
          (sample.state == DeviceState::silent && !sample.position);
@@ -22,8 +22,8 @@ bool is_held(std::uint32_t buttons, int button) {
   return button >= 1 && button <= 32 && ((buttons >> (button - 1)) & 1U) != 0;
 }
 
-/// The device's axes (x right, y away, z up) in those of the picture (x right, y up, z to the eye),
-/// and in those of a scene whose y points up: a quarter turn about x, backwards.
+/// The device's axes (x right, y away, z up) in those of the picture (x right, y up, z towards the
+/// eye), and in those of a scene whose y points up: a quarter turn about x, backwards.
 Quat lying_down() { return Quat(std::sqrt(0.5), -std::sqrt(0.5), 0, 0); }
 
 Quat base_in_fixed(DeviceSettings::Frame frame, const Quat& q_FV) {
@@ -31,7 +31,7 @@ Quat base_in_fixed(DeviceSettings::Frame frame, const Quat& q_FV) {
   return frame == DeviceSettings::Frame::y_up ? lying_down() : Quat(q_FV * lying_down());
 }
 
-/// A device does not say how much virtual damping it bears: the least of the profiles.
+/// A device does not report how much virtual damping it permits: the least of the profiles.
 constexpr double bearable_damping = 4;                 // N·s/m
 constexpr double bearable_rotational_damping = 0.004;  // N·m·s/rad
 
@@ -77,7 +77,7 @@ SixAxes DeviceMotion::in_fixed_frame(const SixAxes& in_base) const noexcept {
   return turned;
 }
 
-/// A damping α of the probe is Aᵀ α A in the hand, with A the map of velocities.
+/// A damping α of the probe is Aᵀ α A at the hand, with A the map of velocities.
 DeviceTraits DeviceMotion::traits(const DeviceSample& sample) const noexcept {
   const WorkspaceMap::Ratios ratios = map_.largest_ratios();
   return {
@@ -99,7 +99,7 @@ void DeviceMotion::anchor(const DeviceSample& sample) noexcept {
 void DeviceMotion::deflect(const SixAxes& deflection, double dt) noexcept {
   const SixAxes wanted = mapped(settings_.axes, deflection);
   deflection_ = smoothed(deflection_, wanted, dt, settings_.smoothing);
-  // The tail of the exponential would drag on for ever.
+  // Ends the tail of the exponential, which would last forever.
   constexpr double nothing = 1e-4;
   if (wanted.isZero(0) && deflection_.cwiseAbs().maxCoeff() < nothing) deflection_.setZero();
 }

@@ -8,30 +8,31 @@
 
 namespace sonde {
 
-/// Moves the probe by a device's samples: through the WorkspaceMap where the device reports
-/// positions, else by its deflections, which are mapped, smoothed, and taken as a displacement or a
-/// velocity.
+/// Moves the probe according to a device's samples: through the WorkspaceMap if the device reports
+/// positions, otherwise by its deflections, which are mapped, smoothed, and used as a displacement
+/// or a velocity.
 ///
-/// The probe stays where it is, to the bit, while the clutch button is held and while the device is
-/// not trusted. Afterwards, as after a change of settings, view or connection, the pose of the
-/// device at that moment corresponds to the pose of the probe at that moment. So no pose ever
-/// jumps. A change of settings or view turns the force at the handle, so there is no force for a
-/// tick, after which it rises from zero. No device, no clock; no allocation, lock, throw.
+/// The probe keeps its pose, to the bit, while the clutch button is held and while the device is
+/// not trusted. Afterwards, as after a change of settings, view or connection, the device's present
+/// pose corresponds to the probe's present pose. So no pose ever jumps. A change of settings or
+/// view turns the force at the handle, so there is no force for one tick, after which it rises from
+/// zero. No device, no clock; no allocation, lock, throw.
 class DeviceMotion {
  public:
   /// com: the probe's centre of mass in its mesh frame M, about which it turns.
   DeviceMotion(const DeviceSettings& settings, const Vec3& com, const Pose& X_FM) noexcept;
 
   void set_settings(const DeviceSettings& settings) noexcept;
-  /// q_FV: the axes of the picture (x right, y up, z to the eye), for DeviceSettings::Frame::view.
+  /// q_FV: orientation of the picture (x right, y up, z towards the eye), for
+  /// DeviceSettings::Frame::view.
   void set_view(const Quat& q_FV) noexcept;
   /// Puts the probe at another pose.
   void place(const Pose& X_FM) noexcept;
 
-  /// dt: s since the call before; 0 where there was none, or a pause.
+  /// dt: s since the last call; 0 for the first call or after a pause.
   HandSample move(const DeviceSample& sample, double dt) noexcept;
   bool clutch_open() const { return clutch_open_; }
-  /// In the device's base, on the hand, about the handle's point: zero for deflections.
+  /// The wrench in the device's base, on the hand, about the handle's point; zero for deflections.
   DeviceWrench on_handle(const Wrench& wrench) const noexcept;
 
  private:
@@ -48,9 +49,9 @@ class DeviceMotion {
   Quat q_FB_ = Quat::Identity();
   WorkspaceMap map_;
   Pose X_FC_;  ///< the probe's centre of mass, with the axes of its mesh frame
-  Pose rest_;  ///< X_FC of a deflection of zero, by position
+  Pose rest_;  ///< X_FC at zero deflection, for position control
   SixAxes deflection_ = SixAxes::Zero();  ///< mapped and smoothed, in B
-  bool following_ = false;                ///< false: to be anchored first
+  bool following_ = false;                ///< false: must be anchored first
   bool remapped_ = false;                 ///< since the last sample
   bool position_ = false;                 ///< of the last sample
   bool clutch_open_ = false;

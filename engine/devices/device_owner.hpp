@@ -6,8 +6,8 @@
 
 namespace sonde {
 
-/// The other program that has the device open. Where we may not see that, the driver daemon
-/// (spacenavd, the vendor's own) that runs and so may have it. One line; empty where there is none.
+/// The other program that has the device open. If we have no permission to see that, the running
+/// driver daemon (spacenavd, the vendor's own) that may have it. One line; empty if there is none.
 /// `proc`: the system's folder of processes.
 std::string other_owner(const std::string& path, const std::filesystem::path& proc = "/proc");
 

@@ -4,7 +4,7 @@
 namespace sonde {
 namespace {
 
-/// Of any finite vector: the square of a large one is not.
+/// Limits the length of any finite vector without overflow of its square.
 Vec3 no_longer(const Vec3& v, double most) {
   const double largest = v.cwiseAbs().maxCoeff();
   if (largest == 0) return v;

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// What of Force Dimension's libdhd is called, declared anew from public descriptions of its C
-/// interface. Where each thing is from:
+/// The functions of Force Dimension's libdhd that are called, declared anew from public
+/// descriptions of its C interface. Sources:
 ///   [C] CHAI3D (BSD), github.com/chai3d/chai3d, src/devices/CDeltaDevices.cpp, which declares the
 ///       functions that it loads at run time and gives the models' limits;
 ///   [P] forcedimension_core (MIT), github.com/EmDash00/forcedimension_core-python, dhd/__init__.py
 ///       and constants.py: argument and result types of each function, units, enumerations;
 ///   [R] forcedimension_ros2 (Apache-2.0), github.com/ICube-Robotics/forcedimension_ros2,
 ///       fd_hardware/src/fd_effort_hi.cpp: the order of calls on opening and closing.
-/// Lengths are in metres, forces in N, torques in N·m [P] [C]. Axes: x to the user, y to the right,
-/// z up: [C] takes positions, frames and forces into its own axes unchanged, and those are the ones
-/// it turns OpenHaptics' into (hd_api.hpp). The origin is not the middle of the volume: [C] shifts
-/// a sigma's by (-0.01, ±0.02, 0) m. Enabling the force takes no expert mode, though [C] enters it:
-/// the maker's own examples do not. A device is told by the number that opening it gives. Results:
-/// 0 done, below 0 not, above 0 done with a remark [P].
+/// Lengths are in metres, forces in N, torques in N·m [P] [C]. Axes: x towards the user, y to the
+/// right, z up: [C] takes positions, frames and forces into its own axes unchanged, and converts
+/// OpenHaptics' axes (hd_api.hpp) to the same ones. The origin is not the middle of the volume: [C]
+/// shifts a sigma's by (-0.01, ±0.02, 0) m. Enabling the force needs no expert mode, though [C]
+/// enters it: the maker's own examples do not. A device is identified by the number that opening it
+/// returns. Results: 0 done, below 0 failed, above 0 done with a remark [P].
 namespace sonde::dhd {
 
-inline constexpr int timeguard = 1;  ///< too early to ask again: the last pose comes again [P]
+/// Called again too early: the last pose is returned again [P].
+inline constexpr int timeguard = 1;
 
 // Indices of the words that dhdGetStatus writes [P]; the second source of the names and numbers is
 // the status class of a ROS driver, which lists them in this order.
@@ -31,7 +32,7 @@ inline constexpr int status_force_off_cause = 14;
 /// Why the controller has switched its force off: word 14 of the status [P].
 enum class ForceOff { not_off, button, velocity, watchdog, software, usb, dead_man };
 
-// Of dhdErrorGetLast [P]: the connection is gone.
+// Results of dhdErrorGetLast [P]: the connection is lost.
 inline constexpr int error_com = 2;
 inline constexpr int error_no_device = 5;
 inline constexpr int error_timeout = 7;
@@ -51,12 +52,13 @@ enum class Model {
   lambda7_left = 109,
 };
 
-/// The functions, bound by bind() to a library that was loaded.
+/// The functions, bound by bind() to a loaded library.
 struct Api {
-  // [P]; of the program's library, before anything is open.
+  // [P]; for the library of the program, before anything is open.
   void (*dhdGetSDKVersion)(int* major, int* minor, int* release, int* revision);
   int (*dhdGetDeviceCount)();  // [C] [P]
-  // By the order of the system, from 0; the device's number, below 0 where it cannot [C] [P].
+  // The argument is the index in the order of the system, from 0; returns the device's number, or
+  // below 0 on failure [C] [P].
   int (*dhdOpenID)(char index);
   int (*dhdClose)(char id);                                         // [C] [P] [R]
   int (*dhdStop)(char id);                                          // no force, brakes on [P] [R]
@@ -69,13 +71,13 @@ struct Api {
   int (*dhdSetGravityCompensation)(int on, char id);                // [P] [R]
   unsigned (*dhdGetButtonMask)(char id);                            // [C] [P]
   int (*dhdGetPosition)(double* x, double* y, double* z, char id);  // m [C] [P] [R]
-  // m, and the handle's axes as columns, in the base [P].
+  // Position, m, and the handle's axes as columns, in the base [P].
   int (*dhdGetPositionAndOrientationFrame)(double* x, double* y, double* z, double rows[3][3],
                                            char id);
-  // N and N·m, in the base [C] [P].
+  // Force, N, and torque, N·m, in the base [C] [P].
   int (*dhdSetForceAndTorque)(double fx, double fy, double fz, double tx, double ty, double tz,
                               char id);
-  int (*dhdErrorGetLast)();             // of the calling thread [P]
+  int (*dhdErrorGetLast)();             // for the calling thread [P]
   const char* (*dhdErrorGetLastStr)();  // [P] [R]
 };
 

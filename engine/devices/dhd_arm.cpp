@@ -36,9 +36,8 @@ constexpr double least_force = 8;  // N
 struct ModelLimits {
   double force, torque, radius, stiffness;
 };
-/// From the same place as the profiles in resources/devices: CHAI3D's CDeltaDevices.cpp; lambda.7
-/// by its xth-2. A model that is not known gets the least force of all, the Falcon's, and no
-/// torque.
+/// From the same source as the profiles in resources/devices: CHAI3D's CDeltaDevices.cpp; lambda.7
+/// as its xth-2. An unknown model gets the least force of all, the Falcon's, and no torque.
 ModelLimits limits_of(int type) {
   switch (static_cast<Model>(type)) {
     case Model::sigma7_right:
@@ -72,7 +71,7 @@ const char* words_of(dhd::ForceOff cause) {
     case dhd::ForceOff::watchdog:
       return "it has switched its force off: nothing came from the program in time";
     case dhd::ForceOff::software:
-      return "";  // by us
+      return "";  // requested by this program
     case dhd::ForceOff::usb:
       return "it has switched its force off: its cable was unplugged";
     case dhd::ForceOff::dead_man:
@@ -130,7 +129,7 @@ DhdArm::DhdArm(std::shared_ptr<const DhdLibrary> library, int index)
                             .max_stiffness = limits.stiffness,
                             .rate_hz = 1000,
                             .reach = Vec3::Constant(limits.radius)};
-  // The origin of the axes is not the middle of the volume: twice the radius is still a bound.
+  // The origin of the axes is not the middle of the volume; twice the radius is still a bound.
   identity_.farthest = Vec3::Constant(2 * limits.radius);
   api.dhdSetGravityCompensation(1, id_);
   next_ = DeviceClock::now();
@@ -187,7 +186,7 @@ ArmReading DhdArm::failure() const {
 }
 
 ArmReading DhdArm::checked_status() {
-  std::array<int, 2 * dhd::status_words> word{};  // a later version may write more
+  std::array<int, 2 * dhd::status_words> word{};  // a later version may write more words
   if (library_->api().dhdGetStatus(word.data(), id_) < 0) return failure();
   const auto fault = [](const char* words) {
     return ArmReading{.kind = ArmReading::Kind::fault, .words = words};

@@ -14,12 +14,12 @@ namespace {
 
 constexpr std::string_view dhd_path = "libdhd/", hd_path = "libHD/";
 
-/// What the libraries keep for the whole program; opening and listing take turns.
+/// State that the libraries keep for the whole program; opening and listing exclude each other.
 struct Arms {
   std::mutex mutex;
   std::map<std::string, std::shared_ptr<const DhdLibrary>> dhd;  // by file
   std::map<std::string, std::shared_ptr<const HdLibrary>> hd;
-  int counted = 0;  // of Force Dimension's, when they were last looked at
+  int counted = 0;  // number of Force Dimension's arms at the last look
   std::vector<HidInfo> known;
 };
 Arms& arms() {
@@ -27,7 +27,7 @@ Arms& arms() {
   return all;
 }
 
-/// Null where it is not installed. A library that was loaded stays.
+/// Null if it is not installed. A loaded library stays loaded.
 template <class Library>
 std::shared_ptr<const Library> loaded(
     std::map<std::string, std::shared_ptr<const Library>>& known) {
@@ -89,7 +89,7 @@ HidInfo info_of(const std::shared_ptr<const DhdLibrary>& library, int index) {
     info.name = arm.identity().name;
     info.serial = arm.identity().serial;
   } catch (const InputError&) {
-    return info;  // opening it will say why
+    return info;  // opening it will report the reason
   }
   return info;
 }
@@ -175,7 +175,7 @@ std::optional<Heard> ForceArm::hear(DeviceSample& sample) {
 
 bool ForceArm::write(const DeviceWrench& wrench, bool on) {
   const bool taken = std::visit([&](auto& arm) { return arm->write(wrench, on); }, port_);
-  // That of libHD only hands it over: its frames say when it is out.
+  // libHD only queues it: its frames report when it is output.
   if (taken && on && std::holds_alternative<std::unique_ptr<DhdArm>>(port_))
     latency_.answered(wrench.sampled, DeviceClock::now());
   return taken;
@@ -189,7 +189,7 @@ std::vector<HidInfo> list_arms() {
   Arms& all = arms();
   const std::lock_guard lock(all.mutex);
   std::vector<HidInfo> found;
-  // A library that cannot be used is named by list_vendor_libraries().
+  // list_vendor_libraries() names a library that cannot be used.
   for (const auto look : {look_for_dhd, look_for_hd}) try {
       look(all, found);
     } catch (const InputError&) {

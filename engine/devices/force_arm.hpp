@@ -19,17 +19,17 @@ namespace sonde {
 /// see ForceDevice.
 class ForceArm {
  public:
-  /// "libdhd/0" (by the order of the system), "libHD/Default Device" (by its name in the maker's
-  /// set-up). Throws InputError "PATH: reason", also where the library is missing or cannot be
-  /// used.
+  /// Opens "libdhd/0" (the index in the order of the system) or "libHD/Default Device" (the name in
+  /// the maker's set-up). Throws InputError "PATH: reason", also if the library is missing or
+  /// cannot be used.
   explicit ForceArm(const std::string& path);
 
   const ArmIdentity& identity() const { return identity_; }
   const DeviceCapabilities& capabilities() const { return identity_.capabilities; }
-  /// Waits some milliseconds for a pose; none where the arm is gone: complaint() says why.
+  /// Waits some milliseconds for a pose; no value if the arm is gone: complaint() gives the reason.
   std::optional<Heard> hear(DeviceSample& sample);
   const std::string& complaint() const { return complaint_; }
-  /// Not `on`: no force. False where the library does not take it.
+  /// If `on` is false: no force. Returns false if the library does not accept the wrench.
   bool write(const DeviceWrench& wrench, bool on);
   const Latency& latency() const { return latency_; }
 
@@ -44,17 +44,17 @@ class ForceArm {
   Latency latency_;
 };
 
-/// Returns whether a device's path is that of an arm, not of a node.
+/// Whether a device's path is that of an arm, not of a device node.
 bool is_arm_path(const std::string& path);
 
-/// Every arm that its maker's library reports; none where no library is installed. The arms of
-/// Force Dimension are opened once for their names and serial numbers, whenever their number has
-/// changed and none is in use. OpenHaptics knows arms only by name: those in the environment
-/// variable SONDE_HD_DEVICES, separated by commas, else the default device alone. Each is listed
-/// whether or not it is there.
+/// All arms that the makers' libraries report; none if no library is installed. Arms of Force
+/// Dimension are opened once for their names and serial numbers, whenever their number has changed
+/// and none is in use. OpenHaptics knows arms only by name: those in the environment variable
+/// SONDE_HD_DEVICES, separated by commas, otherwise only the default device. Each is listed whether
+/// it is connected or not.
 std::vector<HidInfo> list_arms();
 
-/// The makers' libraries, found or not.
+/// The makers' libraries, whether found or not.
 std::vector<VendorLibraryListing> list_vendor_libraries();
 
 }  // namespace sonde

@@ -23,7 +23,7 @@ DeviceCapabilities capabilities_of(const Limits& limits) {
           .reach = limits.reach};
 }
 
-/// Five periods missed, but never less than what a busy machine may cause by itself.
+/// Five missed periods, but at least the delay that a busy machine may cause by itself.
 DeviceClock::duration stale_after(const Limits& limits) {
   using namespace std::chrono_literals;
   const std::chrono::duration<double> periods(5.0 / limits.rate_hz);
@@ -60,10 +60,10 @@ std::string ForceDevice::does_not_follow(const PoseReport& report) const {
   const auto ahead = static_cast<std::uint16_t>(report.sequence - last_->sequence);
   constexpr std::uint16_t half = 0x8000;
   if (ahead >= half) return "its sequence numbers go back";
-  // A clock that lies must not excuse a jump: a pause longer than this is one.
+  // A wrong clock must not excuse a jump: time steps are limited to this.
   constexpr double longest = 0.05;
   const double dt = std::min(1e-6 * static_cast<double>(report.time_us - last_->time_us), longest);
-  // Reports come unevenly; of a small device, a glitch is small too.
+  // Reports arrive unevenly; for a small device the tolerance is smaller too.
   const double uneven = std::min(0.02, 0.1 * limits_.reach.maxCoeff());
   const double moved = (report.X_BH.p - last_->X_BH.p).norm();
   if (moved > uneven + 5 * dt) return "its handle jumped " + millimetres(moved);
@@ -80,7 +80,8 @@ Heard ForceDevice::accept(std::span<const std::uint8_t> bytes, DeviceClock::time
 }
 
 Heard ForceDevice::accept(PoseReport report, DeviceClock::time_point now, DeviceSample& sample) {
-  if (last_ && report.sequence == last_->sequence) return Heard::nothing;  // silence, if it goes on
+  // Persistent repetition counts as silence.
+  if (last_ && report.sequence == last_->sequence) return Heard::nothing;
   if (report.fault) return refuse("it reports a fault of its own", sample);
   if (!report.valid) return refuse("it does not know its pose yet", sample);
   if (const std::string reason = implausible(report); !reason.empty())

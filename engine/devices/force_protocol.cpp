@@ -12,7 +12,7 @@ constexpr std::array<std::uint8_t, 4> mark{'S', '6', 'D', 'F'};
 constexpr std::uint8_t valid_flag = 1, fault_flag = 2;  // of a pose
 constexpr std::uint8_t on_flag = 1;                     // of a wrench
 
-/// Puts numbers one after the other.
+/// Appends numbers.
 class Writer {
  public:
   explicit Writer(std::span<std::uint8_t> bytes) : bytes_(bytes) {}
@@ -36,7 +36,7 @@ class Writer {
   std::size_t at_ = 0;
 };
 
-/// Takes them back; whoever calls has seen that there are enough.
+/// Reads numbers; the caller has checked that there are enough bytes.
 class Reader {
  public:
   explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -163,7 +163,7 @@ std::string fault_of(const Limits& limits) {
   if (limits.major != version_major)
     return "it speaks version " + version_text(limits) + " of the protocol, Sonde version " +
            std::to_string(version_major);
-  // Far beyond what a hand should meet: whoever says so has mixed up units or bytes.
+  // Far beyond what a hand should meet: such limits result from wrong units or bytes.
   constexpr double most_force = 200, most_torque = 50, most_reach = 5, most_stiffness = 1e6;
   if (!in_range(limits.max_force, 0, most_force)) return "its largest force is not 0 to 200 N";
   if (!in_range(limits.max_torque, 0, most_torque)) return "its largest torque is not 0 to 50 N·m";

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// What of OpenHaptics' HD API (3D Systems, libHD.so) is called, declared anew from public
-/// descriptions of its C interface. Where each thing is from:
+/// The functions of OpenHaptics' HD API (3D Systems, libHD.so) that are called, declared anew from
+/// public descriptions of its C interface. Sources:
 ///   [M] ManagedPhantom (MIT) by Kirurobo, HdAPI.cs: signatures and numbers;
 ///   [Y] pyOpenHaptics (MIT), github.com/mikelitu/pyOpenHaptics, hd.py and hd_define.py: C types
 ///       and numbers;
@@ -12,12 +12,12 @@
 ///       calls, the columns of the transform, the use of the Cartesian torque;
 ///   [H] HAPI (GPL), of the H3D API by SenseGraphics, PhantomHapticsDevice.cpp: the unit of the
 ///       torque.
-/// Axes: x to the right, y up, z to the user [S]; [C] turns them into its own (x to the user, y to
-/// the right, z up) by that. Lengths are in mm [S] [C], forces in N [S]. Torques are in mN·m: [S]
-/// says so where they are read, and [H] multiplies N·m by a thousand ("torque in OpenHaptics is in
-/// Nmm"). Against that stand [S] where they are set ("Nm"), and [C], which hands N·m over as they
-/// are. No hardware has settled it. What concerns a frame is called on the
-/// scheduler's thread, between hdBeginFrame and hdEndFrame [Y] [C].
+/// Axes: x to the right, y up, z towards the user [S]; [C] converts them accordingly to its own (x
+/// towards the user, y to the right, z up). Lengths are in mm [S] [C], forces in N [S]. Torques are
+/// in mN·m: [S] says so where they are read, and [H] multiplies N·m by a thousand ("torque in
+/// OpenHaptics is in Nmm"). Contrary sources are [S] where they are set ("Nm"), and [C], which
+/// passes N·m on unchanged. This has not been verified on hardware. Functions of a frame are called
+/// on the scheduler's thread, between hdBeginFrame and hdEndFrame [Y] [C].
 namespace sonde::hd {
 
 using Handle = unsigned;                    // HHD [M] [Y]
@@ -41,14 +41,14 @@ inline constexpr unsigned version = 0x2500;
 inline constexpr unsigned model_type = 0x2501;
 inline constexpr unsigned serial_number = 0x2504;
 inline constexpr unsigned max_workspace = 0x2550;  // least x, y, z, largest x, y, z, mm [S]
-inline constexpr unsigned output_dof = 0x2554;     // 3: forces alone; 6: torques too [S]
+inline constexpr unsigned output_dof = 0x2554;     // 3: forces only; 6: torques too [S]
 inline constexpr unsigned calibration_style = 0x2555;
 inline constexpr unsigned nominal_max_force = 0x2603;  // N [S]
 inline constexpr unsigned current_force = 0x2700;      // N, x right, y up, z to the user [S]
 // mN·m, the same axes [Y] [S] [H]. The maker's later headers call it deprecated, in favour of the
 // torques of joints and gimbal, which need the arm's kinematics.
 inline constexpr unsigned current_torque = 0x2701;
-inline constexpr unsigned force_output = 0x4000;  // to be enabled
+inline constexpr unsigned force_output = 0x4000;  // must be enabled
 
 // Calibration [M] [Y].
 inline constexpr unsigned calibration_ok = 0x5000;
@@ -68,20 +68,20 @@ inline constexpr unsigned comm_error = 0x0302;
 inline constexpr unsigned comm_config_error = 0x0303;
 inline constexpr unsigned timer_error = 0x0304;
 
-/// The functions, bound by bind() to a library that was loaded.
+/// The functions, bound by bind() to a loaded library.
 struct Api {
-  Handle (*hdInitDevice)(const char* name);                  // null: the default device [M] [Y]
-  void (*hdDisableDevice)(Handle device);                    // [M] [Y]
-  void (*hdMakeCurrentDevice)(Handle device);                // [M] [Y] [C]
-  void (*hdBeginFrame)(Handle device);                       // [M] [Y] [C]
-  void (*hdEndFrame)(Handle device);                         // [M] [Y] [C]
-  void (*hdEnable)(unsigned capability);                     // [M] [Y] [C]
-  void (*hdDisable)(unsigned capability);                    // [M]
-  ErrorInfo (*hdGetError)();                                 // takes the newest off a stack [M] [Y]
-  const char* (*hdGetErrorString)(unsigned code);            // [M]
-  void (*hdGetIntegerv)(unsigned parameter, int* values);    // [M] [Y]
-  void (*hdGetDoublev)(unsigned parameter, double* values);  // [M] [Y]
-  const char* (*hdGetString)(unsigned parameter);            // [M] [Y]
+  Handle (*hdInitDevice)(const char* name);        // null: the default device [M] [Y]
+  void (*hdDisableDevice)(Handle device);          // [M] [Y]
+  void (*hdMakeCurrentDevice)(Handle device);      // [M] [Y] [C]
+  void (*hdBeginFrame)(Handle device);             // [M] [Y] [C]
+  void (*hdEndFrame)(Handle device);               // [M] [Y] [C]
+  void (*hdEnable)(unsigned capability);           // [M] [Y] [C]
+  void (*hdDisable)(unsigned capability);          // [M]
+  ErrorInfo (*hdGetError)();                       // removes the newest from a stack [M] [Y]
+  const char* (*hdGetErrorString)(unsigned code);  // [M]
+  void (*hdGetIntegerv)(unsigned parameter, int* values);          // [M] [Y]
+  void (*hdGetDoublev)(unsigned parameter, double* values);        // [M] [Y]
+  const char* (*hdGetString)(unsigned parameter);                  // [M] [Y]
   void (*hdSetDoublev)(unsigned parameter, const double* values);  // [M] [Y]
   unsigned (*hdCheckCalibration)();                                // [M]
   void (*hdUpdateCalibration)(unsigned style);                     // [M]

@@ -13,9 +13,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto longest_wait = 5ms;
-constexpr auto stands_still = 100ms;  // no frame for so long
+constexpr auto stands_still = 100ms;  // time without a frame
 constexpr double metres_of_mm = 0.001;
-constexpr double mN_m = 1000;  // of a N·m; hd_api.hpp says who says so
+constexpr double mN_m = 1000;  // per N·m; hd_api.hpp gives the sources
 constexpr int calibrated_every = 100;
 constexpr const char* default_device = "Default Device";
 
@@ -31,8 +31,8 @@ Mat3 hd_to_base() {
   return R;
 }
 
-/// The torque is nowhere told in a unit that is documented: by the profiles' source, CHAI3D's
-/// CPhantomDevices.cpp, 188 mN·m of the Premium 6DOF, the one family that takes any.
+/// The library does not report the torque in a documented unit. As in the profiles' source,
+/// CHAI3D's CPhantomDevices.cpp: 188 mN·m for the Premium 6DOF, the only family with torque.
 double largest_torque(const std::string& model, bool six) {
   return six && model.find("Premium") != std::string::npos ? 0.188 : 0;
 }
@@ -61,7 +61,7 @@ HdArm::HdArm(std::shared_ptr<const HdLibrary> library, const std::string& name)
   const std::string path = "libHD/" + name;
   if (in_use().exchange(true))
     throw InputError::in(path, "this program has an OpenHaptics device open already");
-  errors();  // of before
+  errors();  // clears old errors
   try {
     device_ = api.hdInitDevice(name == default_device ? nullptr : name.c_str());
     if (device_ == hd::no_handle) check(path, "it does not open");
@@ -88,7 +88,8 @@ HdArm::~HdArm() {
   const hd::Api& api = library_->api();
   write({}, false);
   while (heard_.try_acquire()) continue;
-  // Until a frame without force has gone: the first one heard may have read the force before.
+  // Waits until a frame without force has been sent: the first frame may still have read the last
+  // force.
   for (int frame = 0; frame < 2; ++frame) heard_.try_acquire_for(longest_wait);
   api.hdStopScheduler();
   api.hdUnschedule(scheduled_);
@@ -161,7 +162,7 @@ unsigned HdArm::called_back(void* self) noexcept {
   return hd::callback_continue;
 }
 
-/// Also to be asked for when all is well: an arm may lose its reference.
+/// Called regularly even without errors, since an arm may lose its reference.
 void HdArm::calibrate() noexcept {
   const hd::Api& api = library_->api();
   if (raw_.calibration == hd::calibration_ok && raw_.count % calibrated_every != 0) return;
@@ -195,7 +196,8 @@ void HdArm::frame() noexcept {
   heard_.release();
 }
 
-/// The newest; the others of the frame go, so that they are not taken for the next one's.
+/// Returns the newest error and discards the other ones of the frame, so that they are not
+/// attributed to the next frame.
 unsigned HdArm::errors() const noexcept {
   constexpr int most = 16;
   const unsigned first = library_->api().hdGetError().code;
@@ -208,7 +210,7 @@ ArmReading HdArm::read() {
   const bool heard = heard_.try_acquire_for(longest_wait) && readings_.update();
   const auto now = DeviceClock::now();
   if (heard) last_frame_ = now;
-  if (now - last_frame_ > stands_still)  // with the last force on, which closing ends
+  if (now - last_frame_ > stands_still)  // the last force is still on; closing ends it
     return {.kind = ArmReading::Kind::gone, .words = "the scheduler of libHD stands still"};
   if (!heard) return {};
   while (heard_.try_acquire()) continue;

@@ -18,11 +18,11 @@ namespace sonde {
 class HdLibrary {
  public:
   static const VendorLibraryName& name();
-  /// Throws InputError where it cannot be loaded or lacks a function.
+  /// Throws InputError if it cannot be loaded or lacks a function.
   explicit HdLibrary(const std::filesystem::path& file);
 
   const hd::Api& api() const { return api_; }
-  /// Its version, which some report only with a device; empty where it reports none.
+  /// Its version, which some libraries report only with a device; empty if unknown.
   const std::string& version() const { return version_; }
 
  private:
@@ -30,15 +30,15 @@ class HdLibrary {
   std::string version_;
 };
 
-/// An open arm of 3D Systems'; closes with the object, its force off. One at a time in a program:
-/// the scheduler is one for all.
+/// An open arm of 3D Systems; closes with the object, with its force off. A program can open only
+/// one at a time: there is a single scheduler.
 ///
-/// The library calls back at 1 kHz, in a thread of its own, which alone touches the device: it
-/// reads the pose, writes the newest wrench, and never allocates, locks or waits. A wrench that is
-/// older than 50 ms counts as none there too.
+/// The library calls back at 1 kHz, in its own thread, which alone accesses the device: it reads
+/// the pose, writes the newest wrench, and never allocates, locks or waits. There too, a wrench
+/// older than 50 ms counts as none.
 ///
-/// The library's frame has x to the right, y up, z to the user; ours x to the right, y away from
-/// the user, z up. Velocity limit, largest force and ramps of the library stay as they are.
+/// The library's frame has x to the right, y up, z towards the user; ours has x to the right, y
+/// away from the user, z up. The library's velocity limit, largest force and ramps are not changed.
 class HdArm {
  public:
   /// Opens an arm by its name in the maker's configuration; "Default Device" is the default. Throws
@@ -49,7 +49,7 @@ class HdArm {
   HdArm& operator=(const HdArm&) = delete;
 
   const ArmIdentity& identity() const { return identity_; }
-  /// Waits for the next pose, not longer than 5 ms.
+  /// Waits for the next pose, at most 5 ms.
   ArmReading read();
   bool write(const DeviceWrench& wrench, bool on);
 
@@ -83,10 +83,10 @@ class HdArm {
   int style_ = 0;     ///< of calibration
   ArmIdentity identity_;
   DeviceClock::time_point last_frame_{};
-  Raw raw_;  ///< the scheduler thread's
+  Raw raw_;  ///< used by the scheduler's thread
   TripleBuffer<Raw> readings_;
   TripleBuffer<Wanted> wrenches_;
-  std::atomic<unsigned> error_{hd::success};  ///< the first that was not read yet
+  std::atomic<unsigned> error_{hd::success};  ///< the first error that was not read yet
   std::counting_semaphore<> heard_{0};
 };
 

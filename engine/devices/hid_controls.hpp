@@ -9,22 +9,23 @@
 
 namespace sonde {
 
-// What pucks and game controllers have in common: axes that spring back, and buttons.
+// Common code of pucks and game controllers: axes that spring back, and buttons.
 
 inline constexpr std::uint16_t generic_desktop = 0x01;
 /// X; Y, Z, Rx, Ry and Rz follow.
 inline constexpr std::uint16_t first_axis = 0x30;
 
-/// 0 at rest, 1 at the end of the range. A range without negative numbers rests in its middle.
+/// 0 at rest, 1 at the end of the range. A range without negative numbers has its rest in the
+/// middle.
 double deflection_of(const HidField& axis, std::int64_t value) noexcept;
 
-/// At most as many buttons are told: a bit each.
+/// Maximum number of buttons: one bit each.
 inline constexpr unsigned most_buttons = 32;
-/// Bits, or arrays of the numbers of those held.
+/// Bits, or arrays of the numbers of the pressed buttons.
 std::vector<HidField> button_fields(const HidReportDescriptor& descriptor);
-/// Of these fields, at most 32.
+/// The highest button of these fields, at most 32.
 unsigned highest_button(std::span<const HidField> fields) noexcept;
-/// Sets the buttons that this report tells; the others stay.
+/// Sets the buttons that this report contains; the others stay.
 void take_buttons(std::span<const HidField> fields, std::span<const std::uint8_t> report,
                   std::uint32_t& buttons) noexcept;
 

@@ -15,7 +15,7 @@
 namespace sonde {
 namespace {
 
-/// Of hidapi's state for the whole program, which listing and opening write.
+/// Protects hidapi's global state, which listing and opening write.
 std::mutex& hidapi_mutex() {
   static std::mutex mutex;
   return mutex;
@@ -37,7 +37,7 @@ void append_utf8(std::string& text, char32_t c) {
   byte(0x80 | (c & 0x3F));
 }
 
-/// Control characters are left out: a device's name goes to a terminal.
+/// Leaves out control characters, since a device's name is printed on a terminal.
 std::string utf8(const wchar_t* wide) {
   std::string text;
   for (; wide && *wide != 0; ++wide)
@@ -85,7 +85,7 @@ std::vector<HidInfo> list_hid() {
       hid_enumerate(0, 0), [](hid_device_info* list) { hid_free_enumeration(list); });
   for (const hid_device_info* found = first.get(); found; found = found->next) {
     if (!found->path) continue;
-    // An interface with several top-level collections comes once for each.
+    // An interface with several top-level collections is listed once for each.
     auto known =
         std::ranges::find_if(all, [&](const HidInfo& info) { return info.path == found->path; });
     if (known == all.end()) known = all.insert(known, info_of(*found));

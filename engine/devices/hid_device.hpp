@@ -15,23 +15,23 @@ struct hid_device_;  // hidapi's
 
 namespace sonde {
 
-/// One interface of a connected HID device, as found without opening it.
+/// One interface of a connected HID device, found without opening it.
 struct HidInfo {
-  std::string path;  ///< what it is opened by: /dev/hidraw3
+  std::string path;  ///< its device node, such as /dev/hidraw3
   std::uint16_t vendor = 0, product = 0;
-  std::string maker, name, serial;  ///< UTF-8; empty where the device tells none
+  std::string maker, name, serial;  ///< UTF-8; empty if the device reports none
   int interface = -1;
   std::vector<HidUsage> usages;  ///< of its top-level collections
-  /// The place where it is plugged in, which stays the same: "usb-0000:00:14.0-2/input0"; empty
-  /// where the system tells none.
+  /// The place where it is plugged in, which does not change: "usb-0000:00:14.0-2/input0"; empty if
+  /// the system reports none.
   std::string port{};
   bool has(HidUsage usage) const;
 };
 
-/// All connected interfaces, each path once, in the order of the paths.
+/// All connected interfaces, each path once, ordered by path.
 std::vector<HidInfo> list_hid();
 
-/// The file that lets the user at the screen open the devices; messages name it where permission is
+/// The file that permits the logged-in user to open the devices; messages name it if permission is
 /// missing.
 inline constexpr const char* udev_rule_file = "70-sonde-devices.rules";
 
@@ -46,13 +46,15 @@ class HidDevice {
 
   const HidReportDescriptor& descriptor() const { return descriptor_; }
 
-  /// Waits for a report and returns its part of `buffer`, its id first where the device numbers its
-  /// reports; empty after the timeout; none where the device is gone. No allocation.
+  /// Waits for a report and returns its part of `buffer`, beginning with its id if the device
+  /// numbers its reports; empty after the timeout; no value if the device is gone. No allocation.
   std::optional<std::span<const std::uint8_t>> read(std::span<std::uint8_t> buffer,
                                                     std::chrono::milliseconds timeout) noexcept;
-  /// Writes a report; the id (0 without ids) first. False where the device did not accept it.
+  /// Writes a report that begins with its id (0 without ids). Returns false if the device did not
+  /// accept it.
   bool write(std::span<const std::uint8_t> report) noexcept;
-  /// The id in buffer[0]; its part of `buffer`, the id first; none where that fails.
+  /// Reads the feature report whose id is in buffer[0]. Returns its part of `buffer`, the id first;
+  /// no value if that fails.
   std::optional<std::span<const std::uint8_t>> feature(std::span<std::uint8_t> buffer) noexcept;
 
  private:

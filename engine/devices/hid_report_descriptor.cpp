@@ -11,7 +11,7 @@ constexpr std::size_t most_fields = 4096;
 constexpr std::size_t most_nested = 64;
 constexpr std::size_t most_usages = 4096;
 
-/// Tags with their types, the size bits masked away.
+/// Tags with their types, without the size bits.
 enum Item : std::uint8_t {
   usage_page = 0x04,
   logical_minimum = 0x14,
@@ -31,7 +31,7 @@ enum Item : std::uint8_t {
   end_collection = 0xC0,
 };
 
-/// An item's data, both ways it can be meant.
+/// An item's data, in both interpretations.
 struct Data {
   std::uint32_t plain = 0;
   std::int32_t with_sign = 0;
@@ -75,7 +75,7 @@ class Parser {
   }
 
  private:
-  /// The number of bytes the first item takes; 0 where it cannot be.
+  /// Handles the first item. Returns its number of bytes; 0 if it is invalid.
   std::size_t item(std::span<const std::uint8_t> bytes) {
     constexpr std::uint8_t long_item = 0xFE;
     if (bytes[0] == long_item) {  // none is defined: skipped
@@ -167,7 +167,7 @@ class Parser {
     return found_.reports.back();
   }
 
-  /// The i-th control's: the last of a list stands for all that follow.
+  /// The usage of the i-th control: the last one of a list applies to all that follow.
   HidUsage usage_at(std::uint32_t i) const {
     if (!locals_.usages.empty())
       return locals_.usages[std::min<std::size_t>(i, locals_.usages.size() - 1)];
@@ -199,7 +199,7 @@ class Parser {
 
   HidField field(bool array, std::uint32_t i, std::uint32_t bit) const {
     const std::int64_t low = globals_.minimum.with_sign;
-    // Where nothing is negative, a maximum of FF means 255: devices leave out the byte of the sign.
+    // If nothing is negative, a maximum of FF means 255: some devices omit the sign byte.
     const std::int64_t high =
         low < 0 ? std::int64_t{globals_.maximum.with_sign} : std::int64_t{globals_.maximum.plain};
     return {.usage = usage_at(array ? 0 : i),

@@ -10,7 +10,7 @@
 
 namespace sonde {
 
-/// Lists the connected 6-DoF devices once a second, in its own thread; opens none.
+/// Lists the connected 6-DoF devices once a second, in its own thread, without opening them.
 class HotplugMonitor {
  public:
   HotplugMonitor();
@@ -18,18 +18,18 @@ class HotplugMonitor {
   HotplugMonitor(const HotplugMonitor&) = delete;
   HotplugMonitor& operator=(const HotplugMonitor&) = delete;
 
-  /// The last list; none before the first look is over.
+  /// The last list; empty before the first look is finished.
   std::vector<ConnectedDevice> connected() const;
 
  private:
   void run();
 
-  mutable std::mutex mutex_;  // for what follows
+  mutable std::mutex mutex_;  // guards the members below
   std::condition_variable stop_;
   bool stopping_ = false;
   std::vector<ConnectedDevice> connected_;
 
-  std::thread thread_;  // last: it uses the rest
+  std::thread thread_;  // last, since it uses the others
 };
 
 }  // namespace sonde

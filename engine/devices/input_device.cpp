@@ -24,9 +24,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto search_every = 1s;
-constexpr auto force_wait = 2ms;  // with no pose to answer, the wrench is sent this often
-constexpr auto puck_wait = 20ms;  // how soon a light switches and the thread ends
-constexpr int most_at_once = 64;  // as many as the kernel keeps
+constexpr auto force_wait = 2ms;  // period of sending the wrench if no pose arrives
+constexpr auto puck_wait = 20ms;  // delay of switching a light, and of ending the thread
+constexpr int most_at_once = 64;  // as many as the kernel buffers
 constexpr std::size_t longest_report = 4096;
 
 struct WantedWrench {
@@ -77,37 +77,37 @@ struct InputDevice::State {
   bool should_stop() const { return stopping.load(std::memory_order_relaxed); }
   void rest();
 
-  // The device thread's own.
-  DeviceChoice choice;  ///< its path is the node last opened, where one was asked for
-  /// The nodes and the ports of what fits and is not the one asked for.
+  // Used by the device's thread only.
+  DeviceChoice choice;  ///< its path is the node opened last, if one was requested
+  /// The nodes and ports of matching devices other than the requested one.
   std::vector<std::string> others, other_ports;
   bool looked = false;
   DeviceSample sample;
   std::array<std::uint8_t, longest_report> buffer{};
   std::string complaint;
-  std::string farewell;  ///< why an arm has gone, by its library's word
+  std::string farewell;  ///< why an arm has gone, in its library's words
   bool was_ready = false;
   DeviceStatus status;
   std::optional<bool> led_shown;
   Latency latency;
 
-  WantedWrench wanted;  ///< the servo's own: the newest
+  WantedWrench wanted;  ///< used by the servo only: the newest
   TripleBuffer<DeviceSample> samples;
   TripleBuffer<WantedWrench> wrenches;
   TripleBuffer<DeviceStatus> statuses;
-  std::mutex reading;  ///< the status, by whoever asks; the device's thread takes no part in it
+  std::mutex reading;  ///< guards the status among its readers; the device's thread does not use it
   std::atomic<bool> led_wanted{false};
 
-  // The device's thread takes this lock only to rest: while it serves a force device, it runs
-  // before all that could hold it.
+  // The device's thread takes this lock only to rest: while it serves a force device, it has a
+  // higher priority than any thread that could hold the lock.
   std::mutex mutex;
   std::condition_variable stop;
   std::atomic<bool> stopping{false};
 
-  std::thread thread;  // last: it uses the rest
+  std::thread thread;  // last, since it uses the others
 };
 
-/// Until it is time to look for the device again.
+/// Waits until the next search for the device.
 void InputDevice::State::rest() {
   std::unique_lock lock(mutex);
   stop.wait_for(lock, search_every, [this] { return should_stop(); });
@@ -132,8 +132,8 @@ std::vector<HidInfo> InputDevice::State::fitting() const {
   return all;
 }
 
-/// When the one asked for is opened, and before it ever was. No later: by the time that its loss is
-/// noticed it may be back under another node.
+/// Called when the requested device is opened, and before that. Not later: when its loss is
+/// noticed, it may already be back under another node.
 void InputDevice::State::know_others(const std::vector<HidInfo>& all) {
   others.clear();
   other_ports.clear();
@@ -149,7 +149,7 @@ bool InputDevice::State::is_chosen(const HidInfo& info, const std::vector<HidInf
   const auto there = [&](std::string HidInfo::*what, const std::string& wanted) {
     return !wanted.empty() && std::ranges::find(all, wanted, what) != all.end();
   };
-  // A node's number is given anew: with a port that is known, that counts.
+  // Node numbers are reassigned; if a port is known, it decides.
   const bool by_port = choice.serial.empty() && !choice.port.empty();
   if (by_port && there(&HidInfo::port, choice.port)) return info.port == choice.port;
   if (!by_port && there(&HidInfo::path, choice.path)) return info.path == choice.path;
@@ -216,12 +216,12 @@ void InputDevice::State::serve(Connection& connection) {
   led_shown.reset();
   latency.restart();
   status.latency = {};
-  // A puck at rest says nothing; a force device is not ready before it has told its pose.
+  // A puck at rest sends nothing; a force device is not ready before it has reported its pose.
   sample.state = position ? DeviceState::silent : DeviceState::ready;
   publish(sample.state, position ? "open, and nothing heard yet" : "");
   const bool in_the_loop = connection.capabilities().force;
   const auto wait = in_the_loop ? force_wait : puck_wait;
-  // Looking for devices has no end that is known, and is left to ordinary times.
+  // The search for devices has no known end, and runs with ordinary priority.
   const Promptness prompt(in_the_loop);
   status.scheduling = prompt.words();
   const WakefulProcessors awake(in_the_loop);
@@ -238,7 +238,7 @@ void InputDevice::State::serve(Connection& connection) {
     connection.hid->write(force->wrench_report({}, false));
 }
 
-/// Takes all that has arrived, so that the newest counts; false where the device is gone.
+/// Reads all waiting reports, so that the newest counts; returns false if the device is gone.
 bool InputDevice::State::hear(Connection& connection, std::chrono::milliseconds wait) {
   if (auto* arm = std::get_if<ForceArm>(&connection.driver)) return hear(*arm);
   for (int i = 0; i < most_at_once; ++i) {
@@ -251,14 +251,14 @@ bool InputDevice::State::hear(Connection& connection, std::chrono::milliseconds 
   return true;
 }
 
-/// The sample as it counts now, and what there is to say of it.
+/// Publishes the present state of the sample, with its reason.
 void InputDevice::State::publish_heard() {
   const DeviceState now = aged(sample, DeviceClock::now()).state;
   const bool silent = now == DeviceState::silent;
   publish(now, now == DeviceState::ready ? "" : silent ? silence(sample) : complaint);
 }
 
-/// The library waits for the next pose by itself; false where the arm is gone.
+/// The library itself waits for the next pose. Returns false if the arm is gone.
 bool InputDevice::State::hear(ForceArm& arm) {
   const std::optional<Heard> heard = arm.hear(sample);
   if (!heard) farewell = arm.complaint();
@@ -292,7 +292,7 @@ void InputDevice::State::take(Connection& connection, std::span<const std::uint8
   publish_status();
 }
 
-/// The wrench goes out; false where the device does not take it.
+/// Sends the wrench; returns false if the device does not accept it.
 bool InputDevice::State::answer(Connection& connection) {
   wrenches.update();
   const WantedWrench& newest = wrenches.front();
@@ -311,20 +311,20 @@ void InputDevice::State::measure(const Connection& connection, const WantedWrenc
   const bool force = connection.capabilities().force;
   if (!arm) latency.answered(newest.wrench.sampled, force ? DeviceClock::now() : newest.first);
   const TimeHistogram& times = arm ? arm->latency().times() : latency.times();
-  // A quantile takes longer than the rest of it.
+  // Computing a quantile takes longer than the rest, so it is not done for each sample.
   constexpr std::uint64_t every = 100;
   if (times.total >= status.latency.samples + every || status.latency.samples < every)
     status.latency = summary_of(times);
 }
 
-/// Only a light that was ever asked for is touched.
+/// Switches a light only if that was ever requested.
 bool InputDevice::State::switch_led(Connection& connection) {
   const auto* mouse = std::get_if<SpaceMouse>(&connection.driver);
   const bool wanted = led_wanted.load(std::memory_order_relaxed);
   if (!mouse || wanted == led_shown.value_or(false)) return true;
   led_shown = wanted;
   const auto report = mouse->led_report(wanted);
-  if (!report.empty()) connection.hid->write(report);  // a light that fails is no reason to close
+  if (!report.empty()) connection.hid->write(report);  // a failing light is no reason to close
   return true;
 }
 

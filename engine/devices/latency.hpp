@@ -6,10 +6,10 @@
 
 namespace sonde {
 
-/// Times from the arrival of a sample to the force that answers it, each sample once.
+/// Times from the arrival of a sample to the force that answers it, once for each sample.
 class Latency {
  public:
-  /// The force that answers the sample which arrived at `sampled` was out at `now`.
+  /// Reports that the force for the sample that arrived at `sampled` was output at `now`.
   void answered(DeviceClock::time_point sampled, DeviceClock::time_point now) noexcept {
     if (sampled == DeviceClock::time_point{} || sampled == last_) return;
     last_ = sampled;
@@ -24,11 +24,11 @@ class Latency {
   DeviceClock::time_point last_{};
 };
 
-/// For the user.
+/// A summary for the user.
 struct LatencySummary {
   double median = 0;          ///< µs
-  double p999 = 0;            ///< µs, which one in a thousand exceeds
-  std::uint64_t samples = 0;  ///< these are counted; 0: none yet
+  double p999 = 0;            ///< µs, exceeded by one in a thousand
+  std::uint64_t samples = 0;  ///< number of samples; 0: none yet
 };
 inline LatencySummary summary_of(const TimeHistogram& times) noexcept {
   return {times.quantile(0.5), times.quantile(0.999), times.total};

@@ -49,7 +49,7 @@ constexpr std::size_t short_report = 7, long_report = 13;
 constexpr std::uint8_t translation_id = 1, rotation_id = 2, buttons_id = 3, led_id = 4,
                        battery_id = 0x17;
 
-/// A signed number of 16 bits, as both known layouts have them.
+/// A signed 16-bit number, as in both known layouts.
 HidField word(std::uint8_t id, std::uint32_t place) {
   return {.report_id = id,
           .bit = 8 + 16 * place,
@@ -69,7 +69,7 @@ std::array<HidField, 6> joint_layout() {
   return axes;
 }
 
-/// A range of nothing is no range: such a descriptor is not to be believed there.
+/// An empty range in a descriptor is wrong and is replaced.
 HidField with_range(HidField axis) {
   if (axis.logical_max > axis.logical_min) return axis;
   axis.logical_min = -usual_range;
@@ -90,7 +90,7 @@ std::optional<std::array<HidField, 6>> axes_of(const HidReportDescriptor& descri
   return axes;
 }
 
-/// The axes that this report holds; false where one of them cannot be true.
+/// Takes the axes that this report contains; returns false if one of them is implausible.
 bool take_axes(std::span<const HidField> axes, std::span<const std::uint8_t> report,
                SixAxes& deflection) {
   constexpr double beyond_belief = 2;
@@ -101,7 +101,7 @@ bool take_axes(std::span<const HidField> axes, std::span<const std::uint8_t> rep
     if (!value) return false;
     const double part = deflection_of(axes[i], *value);
     if (std::abs(part) > beyond_belief) return false;
-    // The device's y points to the user and its z down.
+    // The device's y points towards the user and its z down.
     const double sign = i % 3 == 0 ? 1 : -1;
     taken[static_cast<Eigen::Index>(i)] = sign * std::clamp(part, -1.0, 1.0);
   }
@@ -109,7 +109,7 @@ bool take_axes(std::span<const HidField> axes, std::span<const std::uint8_t> rep
   return true;
 }
 
-/// The bits after the id, as every known model without a better description sends them.
+/// The bits after the id, as all known models without a better description send them.
 std::uint32_t known_buttons(std::span<const std::uint8_t> report) {
   std::uint32_t buttons = 0;
   for (std::size_t i = 1; i < report.size() && i <= 4; ++i)
@@ -117,7 +117,7 @@ std::uint32_t known_buttons(std::span<const std::uint8_t> report) {
   return buttons;
 }
 
-/// Whether the report is one of the known layouts, and then what it holds.
+/// Takes the report if it has one of the known layouts; returns whether it does.
 bool take_known(std::span<const std::uint8_t> report, DeviceSample& sample) {
   if (report[0] == translation_id && report.size() == long_report)
     return take_axes(joint_layout(), report, sample.deflection);
@@ -198,7 +198,7 @@ std::vector<std::uint8_t> SpaceMouse::led_report(bool on) const {
   if (!layout_.led) return {};
   const HidField& led = *layout_.led;
   const HidReport* described = descriptor_.report(HidReportKind::output, led.report_id);
-  // hidapi wants an id before the report, zero where the device has none.
+  // hidapi expects an id before the report, zero if the device has none.
   const std::uint32_t bit = led.bit + (led.report_id == 0 ? 8 : 0);
   const std::size_t bytes = described ? described->bytes() + (led.report_id == 0 ? 1 : 0) : 2;
   std::vector<std::uint8_t> report(bytes);

@@ -22,7 +22,7 @@ constexpr std::uint16_t hat_switch = 0x39, accelerator = 0xC4, brake = 0xC5;
 constexpr auto unread_within = 2s;
 enum Axis { x, y, z, rx, ry, rz };
 
-/// The fields by their usages, the first of each: places in the descriptor's own order.
+/// The fields by their usages, the first of each; places are indices in the descriptor.
 class Controls {
  public:
   explicit Controls(const HidReportDescriptor& descriptor) : inputs_(descriptor.inputs) {
@@ -55,7 +55,7 @@ class Controls {
   using Place = std::optional<std::size_t>;
 
   Place find(HidUsage usage) const {
-    // A range of nothing tells nothing.
+    // A field with an empty range is useless.
     const auto found = std::ranges::find_if(inputs_, [&](const HidField& field) {
       return field.usage == usage && !field.array && field.bits > 1 &&
              field.logical_max > field.logical_min;
@@ -74,7 +74,7 @@ class Controls {
     used_[field] = true;
   }
 
-  /// All six, one after the other: a six-axis controller, not sticks.
+  /// All six axes in order: a six-axis controller, not sticks.
   bool in_order() const {
     for (const Axis axis : {x, y, z, rx, ry, rz})
       if (!has(axis) || (axis != x && place(axis) < place(Axis(axis - 1)))) return false;
@@ -90,7 +90,7 @@ class Controls {
       if (has(pair.across) && has(pair.along)) pairs.push_back(pair);
     ordering::sort(pairs, {}, [&](const Pair& pair) { return place(pair.across); });
     if (pairs.empty()) return;
-    // To the right turns to the right, which is backwards about an axis that points up.
+    // A stick to the right turns to the right, which is negative about an axis that points up.
     add(pairs[0].across, Kind::centred, rz, -1);
     add(pairs[0].along, Kind::centred, rx, 1);
     if (pairs.size() == 1) return;
@@ -110,7 +110,7 @@ class Controls {
   std::vector<StickSource> sources_;
 };
 
-/// Clockwise from up, in radians; none at rest.
+/// Clockwise from up, in radians; no value at rest.
 std::optional<double> direction_of(const HidField& hat, std::int64_t value) {
   if (value < hat.logical_min || value > hat.logical_max) return {};
   const auto steps = static_cast<double>(hat.logical_max - hat.logical_min + 1);
@@ -155,7 +155,7 @@ bool StickController::tells(std::span<const std::uint8_t> report,
   return !numbered_ || source.field.report_id == report[0];
 }
 
-/// All that the report tells, or nothing where one number cannot be true.
+/// Takes all numbers of the report, or none if one of them is implausible.
 bool StickController::take(std::span<const std::uint8_t> report) noexcept {
   constexpr double beyond_belief = 2;
   const auto part = [&](const StickSource& source) -> std::optional<double> {
@@ -199,7 +199,7 @@ Heard StickController::accept(std::span<const std::uint8_t> report, DeviceClock:
   return Heard::sample;
 }
 
-/// One without any stick: a battery's level, a touch pad; or a mode that its descriptor leaves out.
+/// A report without a stick: a battery's level, a touch pad, or a mode that its descriptor omits.
 Heard StickController::unread(DeviceClock::time_point now, DeviceSample& sample) noexcept {
   if (unread_ == 0 || now - unread_since_ > unread_within) {
     unread_ = 0;

@@ -25,7 +25,7 @@ std::span<const char* const> system_library_folders() {
 }
 
 fs::path find_vendor_library(const VendorLibraryName& name, std::span<const char* const> folders) {
-  // An empty value is as none: that is how a shell clears it for one command.
+  // An empty value counts as none, since a shell clears a variable for one command in this way.
   if (const char* asked = std::getenv(name.variable); asked && *asked) {
     const std::string value = asked;
     if (!fs::path(value).is_absolute())

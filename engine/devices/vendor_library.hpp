@@ -11,7 +11,7 @@
 
 namespace sonde {
 
-/// A library that only the maker of a device may distribute, and the places where it is searched.
+/// A library that only the maker of a device may distribute, and where it is searched for.
 struct VendorLibraryName {
   const char* name;                    ///< name for the user: "libdhd"
   const char* maker;                   ///< "Force Dimension"
@@ -23,31 +23,32 @@ struct VendorLibraryName {
 /// The state of a library, for `sonde devices`.
 struct VendorLibraryListing {
   std::string name, maker;
-  std::string path{};     ///< empty where there is none
-  std::string version{};  ///< by its own word; empty where it tells none
+  std::string path{};     ///< empty if there is none
+  std::string version{};  ///< as it reports it; empty if it reports none
   bool usable = false;
   std::string reason{};  ///< why it is not usable, and how to get it
 };
 
-/// The folders of the system that libraries lie in; absolute, as everything that is opened here.
+/// The system's library folders; absolute, like everything that is opened here.
 std::span<const char* const> system_library_folders();
 
-/// The file to load: the one in the environment variable, else the first that exists in the system
-/// folders; empty where there is none. The working folder and the loader's own search (which
-/// LD_LIBRARY_PATH or an RPATH may lead anywhere) are not used. Throws InputError where the
-/// variable holds no absolute path, or not that of a file.
+/// The file to load: the one in the environment variable, otherwise the first that exists in the
+/// system folders; empty if there is none. The working folder and the loader's own search (which
+/// LD_LIBRARY_PATH or an RPATH may redirect anywhere) are not used. Throws InputError if the
+/// variable does not hold an absolute path, or not that of a file.
 std::filesystem::path find_vendor_library(
     const VendorLibraryName& name, std::span<const char* const> folders = system_library_folders());
 
 /// A loaded library. It stays loaded until the program ends: makers' libraries leave threads behind
-/// that would run on in freed memory.
+/// that would otherwise run in freed memory.
 class VendorLibrary {
  public:
-  /// Throws InputError "FILE: reason": no library, one for another processor, or the loader's word.
+  /// Throws InputError "FILE: reason": not a library, one for another processor, or the loader's
+  /// message.
   explicit VendorLibrary(const std::filesystem::path& file);
 
   const std::filesystem::path& file() const { return file_; }
-  /// Throws InputError, naming the symbol, where the library has none of that name.
+  /// Throws InputError, naming the symbol, if the library does not have it.
   template <class Function>
   void bind(Function*& function, const char* symbol) const {
     function = reinterpret_cast<Function*>(address_of(symbol));
@@ -60,7 +61,7 @@ class VendorLibrary {
   std::optional<SharedLibrary> library_;
 };
 
-/// What a library answers in words; null: nothing.
+/// A text from a library; null becomes "".
 inline std::string words_or_empty(const char* words) { return words ? words : ""; }
 
 /// "Get it from ...; or name its file by the variable ..."

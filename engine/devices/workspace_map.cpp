@@ -12,7 +12,7 @@
 namespace sonde {
 namespace {
 
-/// The rows of the map that take an axis of their own kind, `first` to `first` + 2.
+/// The rows of the map whose source axis has the same kind, `first` to `first` + 2.
 Mat3 matrix_of(const AxisMap& map, int first) {
   Mat3 matrix = Mat3::Zero();
   for (int i = 0; i < 3; ++i) {
@@ -24,10 +24,10 @@ Mat3 matrix_of(const AxisMap& map, int first) {
   return matrix;
 }
 
-/// rad: no turn from the anchor is larger.
+/// rad: largest rotation from the anchor.
 constexpr double farthest = std::numbers::pi / 2;
 
-/// ω = J θ̇ for the rotation exp(θ), ω in the frame that the rotation is seen from.
+/// ω = J θ̇ for the rotation exp(θ), with ω in the outer frame.
 Mat3 left_jacobian(const Vec3& theta) {
   const double a = theta.norm();
   constexpr double small = 1e-4;  // from here on the series is exact to rounding

@@ -36,8 +36,8 @@ struct Spread {
 template <class Counts>
 void add_grouped(RepairPlaces& to, RepairKind kind, const std::vector<Vec3>& x,
                  const std::vector<Triangle>& triangles, Counts counts) {
-  std::vector<std::uint32_t>
-      corners;  // the corners that count, ascending: there may be few in a large mesh
+  // The corners that count, ascending: there may be few in a large mesh.
+  std::vector<std::uint32_t> corners;
   for (const Triangle& t : triangles)
     for (const std::uint32_t v : t)
       if (counts(v)) corners.push_back(v);

@@ -3,7 +3,7 @@
 
 namespace sonde {
 
-/// µs of processor time of the calling thread: other work does not count.
+/// µs of processor time of the calling thread, without that of other work.
 double processor_time_us();
 
 /// Runs the work and returns the µs of processor time that it took on this thread.

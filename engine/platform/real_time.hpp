@@ -6,8 +6,8 @@ namespace sonde {
 /// The scheduling that the system granted to a loop with deadlines.
 struct RealTime {
   bool scheduled = false;  ///< this thread runs before all ordinary ones (SCHED_FIFO)
-  /// No memory of the process is paged out (mlockall): what there is, and where the limit on locked
-  /// memory allows, what comes later too.
+  /// No memory of the process is paged out (mlockall): the existing memory and, if the limit on
+  /// locked memory permits, future memory too.
   bool locked = false;
   /// Static text: what was granted, or why not and what would permit it. "": not requested.
   const char* scheduling = "";
@@ -15,17 +15,17 @@ struct RealTime {
   const char* processor = "";
 };
 
-/// What a loop with deadlines is made of, for request_processor().
+/// The threads of a loop with deadlines, for request_processor().
 enum class LoopThread { servo, geometry };
 
-/// The processor that a thread of the loop has to itself, of those that the process may use: the
-/// last, and the one before. None (-1) where there are not more than two: the others need one.
+/// The processor reserved for a thread of the loop, among those that the process may use: the last
+/// one, and the one before. None (-1) if there are only two or fewer: other threads need one.
 int processor_for(LoopThread thread, const int* allowed, int count) noexcept;
-/// Binds the calling thread to it. Static text: what was done, or why not.
+/// Binds the calling thread to that processor. Returns static text: what was done, or why not.
 const char* request_processor(LoopThread thread) noexcept;
 
-/// Touches the pages of the calling thread's stack that a tick may need, so that none is missing
-/// when it does.
+/// Touches the pages of the calling thread's stack that a tick may need, so that none causes a page
+/// fault in a tick.
 void touch_stack() noexcept;
 
 /// The calling thread's name in the system's tools (top -H); up to 15 letters.
@@ -39,14 +39,14 @@ void stand_back() noexcept;
 RealTime request_real_time() noexcept;
 
 /// Requests that the calling thread run before all ordinary ones, but after those of
-/// request_real_time(). For work that may not end: with a single processor, it requests only a
-/// greater share. False where that is not permitted.
+/// request_real_time(). For work that may not end: with a single processor, it only requests a
+/// greater share. Returns false if that is not permitted.
 bool request_precedence() noexcept;
 
-/// While it lives the calling thread runs before all ordinary ones and those of
-/// request_precedence(), but behind the servo's: for one that waits for a device most of the time,
-/// and whose delay the hand feels. Not for a single processor, which a device that floods would
-/// take.
+/// While it exists, the calling thread runs before all ordinary ones and those of
+/// request_precedence(), but after the servo's. For a thread that mostly waits for a device, and
+/// whose delay the hand feels. Not used with a single processor, which a device that sends without
+/// pause would occupy.
 class Promptness {
  public:
   explicit Promptness(bool wanted) noexcept;
@@ -54,7 +54,7 @@ class Promptness {
   Promptness(const Promptness&) = delete;
   Promptness& operator=(const Promptness&) = delete;
 
-  /// Static text: why not, and what would permit it; "" where it was granted or not wanted.
+  /// Static text: why not, and what would permit it; "" if it was granted or not wanted.
   const char* words() const noexcept { return words_; }
 
  private:

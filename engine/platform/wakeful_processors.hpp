@@ -3,9 +3,9 @@
 
 namespace sonde {
 
-/// While it lives no processor of the machine sleeps so deeply that waking it takes time (Linux:
-/// /dev/cpu_dma_latency held open at 0 µs). For a force device: a deep sleep takes up to some 100
-/// µs to wake from, at every tick. It costs power, so nothing else asks for it.
+/// While it exists, no processor of the machine enters a deep sleep state (Linux:
+/// /dev/cpu_dma_latency held open at 0 µs). For a force device: waking from deep sleep takes up to
+/// some 100 µs, at every tick. It costs power, so nothing else requests it.
 class WakefulProcessors {
  public:
   explicit WakefulProcessors(bool wanted, const char* file = "/dev/cpu_dma_latency") noexcept;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> tags{"TICK", "SRCH", "END "};
 constexpr std::size_t tag_size = 4, crc_at = 36;
-/// More than any block of ours becomes; a head that asks for more is none.
+/// More than any valid block; a header with a larger size is invalid.
 constexpr std::uint32_t most_bytes = 1u << 28;
 
 std::string compressed(std::string_view content) {

@@ -18,12 +18,12 @@ enum class Stored { f64, f32, u64, u32, u8 };
 const char* name_of(Stored as);
 std::size_t width(Stored as) noexcept;  ///< bytes
 
-/// A number as it is stored, and back. Whole numbers are exact up to 2^53.
+/// The stored bits of a number, and the number of these bits. Integers are exact up to 2^53.
 std::uint64_t bits_of(double value, Stored as) noexcept;
 double value_of(std::uint64_t bits, Stored as) noexcept;
 
-/// A number as a field holds it. A file may hold any number: what is beyond a whole number's range
-/// becomes the nearest in it, and what is no number zero.
+/// A number as the value of a field. A file may contain any number: one beyond an integer's range
+/// becomes the nearest in it, and NaN becomes zero.
 template <class Field>
 Field field_of(double value) noexcept {
   if constexpr (std::is_same_v<Field, bool>) {
@@ -39,21 +39,21 @@ Field field_of(double value) noexcept {
   }
 }
 
-/// One quantity of a row: where it comes from and where it goes.
+/// One quantity of a row, with its getter and setter.
 template <class Row>
 struct Column {
   const char* name;
-  const char* unit;  ///< SI, "" where there is none
+  const char* unit;  ///< SI, "" if there is none
   Stored as;
   double (*get)(const Row& row);
   void (*set)(Row& row, double value);
 };
 
-/// Numbers of one width, each combined (XOR) with the one before, in planes of bytes: the lowest
+/// Numbers of one width, each combined (XOR) with the previous one, in planes of bytes: the lowest
 /// byte of each first, the highest last. Slow changes become runs of zeros.
 void append_planes(std::string& out, std::span<const std::uint64_t> bits, std::size_t width);
-/// Reads them from the front of the text and removes them. Throws std::invalid_argument where the
-/// text is too short.
+/// Reads them from the front of the text and removes them. Throws std::invalid_argument if the text
+/// is too short.
 std::vector<std::uint64_t> take_planes(std::string_view& in, std::size_t count, std::size_t width);
 
 void append_count(std::string& out, std::uint32_t count);
@@ -71,7 +71,7 @@ void append_table(std::string& out, std::span<const Row> rows,
   }
 }
 
-/// Reads a table from the front and removes it. Throws std::invalid_argument where the text is too
+/// Reads a table from the front and removes it. Throws std::invalid_argument if the text is too
 /// short.
 template <class Row>
 std::vector<Row> take_table(std::string_view& in, std::span<const Column<Row>> columns) {
@@ -79,7 +79,7 @@ std::vector<Row> take_table(std::string_view& in, std::span<const Column<Row>> c
   std::vector<Row> rows;
   for (const Column<Row>& column : columns) {
     const std::vector<std::uint64_t> bits = take_planes(in, count, width(column.as));
-    rows.resize(count);  // not before: the text has shown that it can hold so many
+    rows.resize(count);  // only now: the text has proved to hold this many rows
     for (std::size_t i = 0; i < count; ++i) column.set(rows[i], value_of(bits[i], column.as));
   }
   return rows;

@@ -35,7 +35,7 @@ std::array<double, curve_count> values_of(const Snapshot& tick, const Background
           signed_clearance(s, clearance).value_or(no_number)};
 }
 
-/// Gathers the lowest and the highest point of one part, in their order.
+/// Collects the lowest and the highest point of one interval, in their order.
 class GatheredTicks {
  public:
   void add(double time, float value) {

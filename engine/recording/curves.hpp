@@ -14,12 +14,12 @@
 
 namespace sonde {
 
-/// The quantities that are drawn over time.
+/// The quantities that are plotted over time.
 enum class Curve {
-  held,      ///< m, depth of the separated pose that holds the probe
-  nearest,   ///< m, √PD_g as last searched, or followed to (with_followed)
-  straight,  ///< m, PD_t as last searched
-  bound,     ///< m, lower bound as last searched
+  held,      ///< m, depth of the separated pose
+  nearest,   ///< m, √PD_g of the last search, or of the followed pose (with_followed)
+  straight,  ///< m, PD_t of the last search
+  bound,     ///< m, lower bound of the last search
   force,     ///< N, |F| on the hand
   force_x,
   force_y,
@@ -32,7 +32,7 @@ enum class Curve {
   rows_us,    ///< µs, time that the geometry took for the tick's contact rows
   age,        ///< s, of the contact rows
   energy,     ///< J, net work on the hand
-  clearance,  ///< m, the least distance as last measured; less than 0: the depth held
+  clearance,  ///< m, the last measured distance; negative: minus the depth
 };
 constexpr std::size_t curve_count = 17;
 
@@ -41,15 +41,14 @@ struct CurvePoint {
   double value = 0;
 };
 
-/// Quantities of every tick, as columns that are quick to draw over minutes. A missing value is
-/// NaN.
+/// Quantities of every tick, as columns that are fast to plot over minutes. A missing value is NaN.
 class Curves {
  public:
-  /// Drops the oldest ticks where there are more; 0: no limit.
+  /// Drops the oldest ticks if there are more; 0: no limit.
   explicit Curves(std::uint64_t most = 0) : most_(most) {}
 
-  /// Adds the next tick, at a time that does not fall, with what a search has found until then, and
-  /// the clearance that was measured last.
+  /// Adds the next tick, at a time that does not decrease, with the result of the last search and
+  /// the last measured clearance.
   void add(const Snapshot& tick, double time, const BackgroundResult* searched,
            const GaugedClearance* clearance = nullptr);
   void clear();
@@ -57,11 +56,11 @@ class Curves {
   std::size_t size() const { return times_.size(); }
   double first_time() const { return times_.empty() ? 0 : times_.front(); }
   double last_time() const { return times_.empty() ? 0 : times_.back(); }
-  /// The value at the last tick that is not later than that; NaN where there is none.
+  /// The value at the last tick at or before that time; NaN if there is none.
   double at(Curve curve, double time) const;
-  /// Divides that time into equal parts and gives the lowest and the highest point of each, in
-  /// their order, with one point beyond each end: all that a picture with that many columns shows
-  /// of the points.
+  /// Divides the time from `from` to `to` into equal parts and returns the lowest and the highest
+  /// point of each, in their order, with one point beyond each end: everything that a picture with
+  /// that many columns can show.
   std::vector<CurvePoint> outline(Curve curve, double from, double to, std::size_t columns) const;
   std::size_t bytes() const;  ///< of memory
 
@@ -71,7 +70,7 @@ class Curves {
   std::array<std::deque<float>, curve_count> values_;
 };
 
-/// The curves of a whole log, which it decodes.
+/// The curves of a whole log, which is decoded for them.
 Curves curves_of(const TickLog& ticks, const Progress& progress = {});
 
 }  // namespace sonde

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double long_gap = 10;  // periods
 
-/// One run of the loop, with what goes on from tick to tick.
+/// One run of the loop, with the state that continues from tick to tick.
 class Runner {
  public:
   Runner(const Pair& pair, const LoopRun& run)
@@ -31,7 +31,7 @@ class Runner {
     const auto start = std::chrono::steady_clock::now();
     loop_.tick(step.at.pose, step.dt, run_.budget);
     const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - start;
-    // A search that failed leaves nothing to follow: search again.
+    // After a failed search there is no pose to follow: search again.
     started_ = (started_ && !step.begins) || loop_.separation().status != Status::failed;
     keep(step, took.count(), by_search);
     return tick_;

@@ -19,7 +19,8 @@ const std::array cluster_ids{Column<ClusterId>{
     "id", "", Stored::u64, [](const ClusterId& r) { return static_cast<double>(r.id); },
     [](ClusterId& r, double x) { r.id = field_of<std::uint64_t>(x); }}};
 
-/// The reasons of failures: a byte a tick, 0 where there is none, and the texts those count.
+/// The reasons of failures: a byte per tick, 0 if there is none, and the texts that the bytes
+/// index.
 void append_reasons(std::string& out, std::span<const Snapshot> ticks) {
   constexpr std::size_t most = 255;
   std::vector<std::string_view> texts;
@@ -38,7 +39,7 @@ void append_reasons(std::string& out, std::span<const Snapshot> ticks) {
   }
 }
 
-/// What a failure says of itself is static text; that of a file becomes so here.
+/// The reason of a failure is static text; a text from a file becomes static here.
 const char* lasting(std::string_view text) {
   static std::mutex mutex;
   static std::set<std::string, std::less<>> texts;
@@ -61,7 +62,7 @@ void take_reasons(std::string_view& in, std::span<Snapshot> ticks) {
   }
 }
 
-/// What follows from what was kept.
+/// Restores what follows from the stored data.
 void complete(Snapshot& tick, double radius, std::span<const ClusterId> ids) {
   Separation& s = tick.separation;
   const Pose motion = s.separated;

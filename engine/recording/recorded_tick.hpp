@@ -10,11 +10,11 @@
 
 namespace sonde {
 
-/// Ticks as the content of a block, not compressed (clusters are made of the contacts again): the
-/// table of ticks, that of their contacts, one tick's after the other's, the ids of their clusters,
-/// and the reasons of those that failed.
+/// Ticks as the uncompressed content of a block (clusters are recomputed from the contacts): the
+/// table of ticks, that of their contacts in the order of the ticks, the ids of their clusters, and
+/// the reasons of failures.
 std::string tick_content(std::span<const Snapshot> ticks);
-/// The ticks again, of a probe of that radius, m. Throws std::invalid_argument.
+/// The ticks of such a content, for a probe of that radius, m. Throws std::invalid_argument.
 std::vector<Snapshot> ticks_in(std::string_view content, double radius);
 
 std::string search_content(std::span<const RecordedSearch> searches);

@@ -25,13 +25,14 @@ std::string header_bytes_of(const ReadableFile& file) {
   return bytes;
 }
 
-/// Reads the blocks from `offset` on. Why there are no more; empty at the end of a whole one.
+/// Reads the blocks from `offset` on. It records why there are no more; empty at the end of a whole
+/// recording.
 class BlockReader {
  public:
   BlockReader(Recording& into, std::shared_ptr<const ReadableFile> file)
       : into_(into), file_(std::move(file)) {}
 
-  /// False where there is no more, with the reason in `cut`.
+  /// Returns false if there is no more, with the reason in `cut`.
   bool next() {
     try {
       return read_one();

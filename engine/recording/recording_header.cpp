@@ -53,7 +53,7 @@ ordered_json json_of(std::span<const Column<Row>> columns) {
   return all;
 }
 
-/// A member of an object that a header must have.
+/// A member that an object of the header must have.
 const JsonNode& member(const fs::path& file, const JsonNode& object, std::string_view key,
                        JsonNode::Kind kind) {
   const JsonNode& node = need_key(file, object, key, "the header");
@@ -86,7 +86,7 @@ RecordingHeader header_in(const std::string& text, const fs::path& file) {
   expect_kind(file, root, JsonNode::Kind::object);
   RecordingHeader header;
   header.scene = scene_in(member(file, root, "scene", JsonNode::Kind::string).text, file);
-  header.scene.file.clear();  // it is in no file of its own
+  header.scene.file.clear();  // it has no file of its own
   header.scene.name = member(file, root, "name", JsonNode::Kind::string).text;
   const JsonNode& meshes = member(file, root, "meshes", JsonNode::Kind::object);
   header.meshes.probe = mark_in(file, member(file, meshes, "probe", JsonNode::Kind::object));
@@ -102,7 +102,7 @@ RecordingHeader header_in(const std::string& text, const fs::path& file) {
   return header;
 }
 
-/// Why a body's meshes are not what was recorded; empty where they are.
+/// Why a body's meshes differ from the recorded ones; empty if they do not.
 std::string other(const SceneBody& body, const FileMark& recorded) {
   FileMark now;
   try {
@@ -124,7 +124,7 @@ std::string other(const SceneBody& body, const FileMark& recorded) {
 
 namespace {
 
-/// The mark of what was marked before and that file behind it.
+/// The mark of everything marked so far followed by that file.
 FileMark continued(FileMark mark, const fs::path& file) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"),
                                                                &std::fclose);
@@ -200,7 +200,7 @@ std::string header_bytes(const RecordingHeader& header, const fs::path& file) {
 
 namespace {
 
-/// The JSON of the header that a file begins with, of the right checksum.
+/// The JSON text of the header at the beginning of a file, with a verified checksum.
 std::string header_text(std::string_view bytes, const fs::path& file) {
   const auto fail = [&](std::size_t byte, const std::string& reason) {
     return InputError::at_byte(file.string(), byte, reason);
@@ -235,7 +235,7 @@ std::string recorded_scene_text(std::string_view bytes, const fs::path& file) {
 }
 
 bool is_recording(const fs::path& file) {
-  // To open a pipe would wait for its writer, and take from it what the next reader needs.
+  // Opening a pipe would wait for its writer, and take data from the next reader.
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return false;
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"),

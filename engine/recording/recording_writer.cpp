@@ -49,7 +49,7 @@ std::optional<std::string> RecordingWriter::failure() const {
   return failure_;
 }
 
-/// None: all is written.
+/// The next block to write. None: all is written.
 std::optional<BlockBytes> RecordingWriter::next() {
   std::unique_lock lock(mutex_);
   news_.wait(lock, [this] { return finishing_ || !waiting_.empty(); });
@@ -79,7 +79,7 @@ void RecordingWriter::run(const RecordingHeader& header) {
   closed_.store(true, std::memory_order_release);
 }
 
-/// Whole or not at all.
+/// Writes all bytes or nothing.
 void RecordingWriter::write(const std::string& bytes) {
   if (!open_.write(bytes)) {
     // What is left of a block is cut off; a file that cannot be cut can be read all the same.

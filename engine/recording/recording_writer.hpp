@@ -18,30 +18,30 @@
 
 namespace sonde {
 
-/// Writes a recording block by block in its own thread. After a kill the file can be read up to the
-/// last whole block.
+/// Writes a recording block by block in its own thread. If the program is killed, the file can be
+/// read up to the last whole block.
 ///
-/// See also: ui/document/recorder.cpp feeds it. Each snapshot goes to a TickLog, which packs ticks
-/// into blocks and passes a block on when it is full (TickLog::sealed). A writer of another format
-/// belongs before that packing: it takes the snapshots that TickLog::add takes.
+/// ui/document/recorder.cpp feeds it. Each snapshot goes to a TickLog, which packs ticks into
+/// blocks and passes each full block on (TickLog::sealed). A writer of another format belongs
+/// before that packing: it would take the same snapshots as TickLog::add.
 class RecordingWriter {
  public:
-  /// Throws InputError where the file cannot be created.
+  /// Throws InputError if the file cannot be created.
   RecordingWriter(const std::filesystem::path& file, const RecordingHeader& header);
-  ~RecordingWriter();  ///< finishes it
+  ~RecordingWriter();  ///< finishes the recording
   RecordingWriter(const RecordingWriter&) = delete;
   RecordingWriter& operator=(const RecordingWriter&) = delete;
 
-  /// Returns at once. After a failure it writes nothing more.
+  /// Returns immediately. After a failure nothing more is written.
   void add(BlockBytes block);
-  /// Nothing more is added: the thread writes what is waiting and the last block, and sees to it
-  /// that the disk has them. Returns at once.
+  /// Call it when nothing more will be added: the thread writes the waiting blocks and the last
+  /// one, and syncs the file to disk. Returns immediately.
   void close();
-  /// All of that is done, or has failed.
+  /// Whether all of that is done, or has failed.
   bool closed() const { return closed_.load(std::memory_order_acquire); }
-  /// close(), and waits until then.
+  /// close(), and waits until closed().
   void finish();
-  /// Why the file ends early; none where it does not. The file holds all blocks before that, whole.
+  /// Why the file ends early; none if it does not. The file contains all blocks before that, whole.
   std::optional<std::string> failure() const;
   std::uint64_t bytes() const { return bytes_.load(std::memory_order_relaxed); }
   const std::filesystem::path& file() const { return file_; }
@@ -54,7 +54,7 @@ class RecordingWriter {
   std::filesystem::path file_;
   WritableFile open_;
   std::uint64_t ticks_ = 0;
-  std::atomic<std::uint64_t> bytes_{0};  ///< whole blocks
+  std::atomic<std::uint64_t> bytes_{0};  ///< in whole blocks
   mutable std::mutex mutex_;
   std::condition_variable news_;
   std::deque<BlockBytes> waiting_;
@@ -64,10 +64,10 @@ class RecordingWriter {
   std::thread thread_;
 };
 
-/// A whole recording as the file of that name holds it. Throws InputError.
+/// The bytes of a whole recording for a file of that name. Throws InputError.
 std::string recording_bytes(const std::filesystem::path& file, const RecordingHeader& header,
                             const TickLog& ticks);
-/// Writes a whole recording at once, or nothing: from ticks that are all there. Throws InputError.
+/// Writes a whole recording, or nothing, from a complete log. Throws InputError.
 void write_recording(const std::filesystem::path& file, const RecordingHeader& header,
                      const TickLog& ticks);
 

@@ -11,7 +11,7 @@
 namespace sonde {
 namespace {
 
-/// A field that is stored as it stands. `Field` names it: a lambda without captures.
+/// A field that is stored unchanged. `Field` selects it: a lambda without captures.
 template <class Row, class Field>
 constexpr Column<Row> column(const char* name, const char* unit, Stored as, Field /*field*/) {
   return {name, unit, as, [](const Row& row) { return static_cast<double>(Field{}(row)); },
@@ -26,13 +26,13 @@ constexpr Column<Snapshot> of_tick(const char* name, const char* unit, Stored as
   return column<Snapshot>(name, unit, as, field);
 }
 
-/// A value of an enumeration whose last is `last`; anything else in a file becomes that.
+/// A value of an enumeration with the last value `last`; any larger number in a file becomes that.
 template <class Enumeration>
 Enumeration one_of(double value, Enumeration last) {
   return static_cast<Enumeration>(std::min(field_of<int>(value), static_cast<int>(last)));
 }
 
-/// The separated pose as seen from the device pose.
+/// The separated pose relative to the device pose.
 Pose motion_of(const Snapshot& tick) {
   const Separation& s = tick.separation;
   return {s.device.q.conjugate() * s.separated.q, s.separated.p - s.device.p};
@@ -196,7 +196,7 @@ const std::array contacts{
 
 using Way = std::optional<FoundWay>;
 
-/// A number of a way out; where there is none, no number.
+/// A number of a way out; NaN if there is none.
 template <class Member, class Field>
 constexpr Column<RecordedSearch> of_way(const char* name, const char* unit, Member /*way*/,
                                         Field /*field*/) {

@@ -9,16 +9,16 @@
 
 namespace sonde {
 
-/// A search that had ended by a time of the recording, s.
+/// A search that had ended by this time of the recording, s.
 struct RecordedSearch {
   double time = 0;
   BackgroundResult result;
 };
 
-/// The stored columns of a tick. Device pose, depth, times and gains are kept to the bit; the
-/// separated pose as the motion from the device pose, the wrench and the contacts to seven digits.
-/// Reading these columns puts that motion into the separated pose (ticks_in() makes the pose from
-/// it).
+/// The stored columns of a tick. Device pose, depth, times and gains are stored exactly; the
+/// separated pose as the motion from the device pose, and the wrench and the contacts to seven
+/// digits. Reading these columns puts that motion into the separated pose (ticks_in() computes the
+/// pose from it).
 std::span<const Column<Snapshot>> tick_columns();
 std::span<const Column<Contact>> contact_columns();
 std::span<const Column<RecordedSearch>> search_columns();

@@ -16,7 +16,7 @@ BlockBytes in_memory(std::shared_ptr<const std::string> bytes) {
   return [bytes = std::move(bytes)] { return *bytes; };
 }
 
-/// The head speaks for the ticks until they are decoded, so it must have told the truth.
+/// The header is used instead of the ticks until they are decoded, so it must be correct.
 void check(const std::vector<Snapshot>& ticks, const BlockHead& head) {
   if (ticks.size() != head.rows || ticks.empty())
     throw std::invalid_argument("a block holds other ticks than its head says");
@@ -65,7 +65,7 @@ void TickLog::seal() {
   open_searches_.clear();
   if (open_.empty()) return;
   const auto bytes = hand_on(tick_block(open_));
-  cache_.push_front({sealed_, std::exchange(open_, {})});  // it may be on show
+  cache_.push_front({sealed_, std::exchange(open_, {})});  // it may be displayed
   if (cache_.size() > most_cached) cache_.pop_back();
   open_.reserve(block_ticks);
   store(head_of(*bytes), bytes->size(), in_memory(bytes));
@@ -87,7 +87,7 @@ void TickLog::forget() {
   while (blocks_.size() > 1 && too_much()) {
     stored_bytes_ -= blocks_.front().in_memory;
     blocks_.pop_front();
-    // The last search before what is kept still holds at its beginning.
+    // The last search before the remaining ticks still applies at their beginning.
     while (searches_.size() > 1 && searches_[1].time < first_time()) searches_.pop_front();
   }
 }
@@ -156,7 +156,7 @@ const RecordedSearch* TickLog::searched(double time) const {
 std::vector<BlockBytes> TickLog::all() const {
   std::vector<BlockBytes> bytes;
   std::vector<RecordedSearch> kept(searches_.begin(), searches_.end());
-  kept.resize(kept.size() - open_searches_.size());  // those come with their ticks
+  kept.resize(kept.size() - open_searches_.size());  // those are written with their ticks
   if (!kept.empty()) bytes.emplace_back([kept] { return search_block(kept); });
   for (const Stored& block : blocks_) bytes.push_back(block.bytes);
   return bytes;

@@ -11,15 +11,15 @@
 
 namespace sonde {
 
-/// A body of more is refused: so many components of a file are no parts but loose triangles.
+/// Maximum number of components of a body: a file with more has loose triangles, not parts.
 inline constexpr std::size_t most_parts = 10'000;
 
-/// Mesh files taken apart (components_of), each once, however many parts are of it. Kept while
-/// parts are loaded, not longer: it holds the files' polygons.
+/// Mesh files split into components (components_of), each file once, for any number of its parts.
+/// Keep it only while parts are loaded, since it holds the files' polygons.
 class ComponentFiles {
  public:
-  /// The components of a file, its coordinates multiplied by that. Throws as read_mesh, and
-  /// InputError where they are too many.
+  /// The components of a file, with its coordinates multiplied by `scale`. Throws as read_mesh
+  /// does, and InputError if there are too many.
   const std::vector<PolygonSoup>& of(const std::filesystem::path& mesh, double scale,
                                      const Progress& progress = {});
 

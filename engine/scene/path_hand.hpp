@@ -9,12 +9,12 @@
 
 namespace sonde {
 
-/// The pose of a path at a time: between two poses it moves straight and turns about one axis;
-/// before the first and after the last it is that pose. The path must not be empty.
+/// The pose of a path at a time, interpolated on a straight line and with a turn about one axis;
+/// before the first and after the last pose, that pose. The path must not be empty.
 Pose pose_at(std::span<const TimedPose> path, double t) noexcept;
 
 /// A recorded path that holds the probe. It moves the probe from its present pose to the path's
-/// first pose within a second, then along the path at the recorded speed, and then it stays.
+/// first pose within a second, then along the path at the recorded speed, and stays at its end.
 class PathHand {
  public:
   /// Throws std::invalid_argument for a path without poses.
@@ -22,7 +22,7 @@ class PathHand {
   PathHand(const PathHand&) = delete;
   PathHand& operator=(const PathHand&) = delete;
 
-  /// For the servo; this object must outlive it.
+  /// Functions for the servo; this object must outlive it.
   Hand hand();
 
  private:

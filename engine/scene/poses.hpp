@@ -13,15 +13,14 @@ struct TimedPose {
   Pose pose;     ///< X_FM: the probe's mesh frame in the fixed body's mesh frame
 };
 
-/// Reads `px,py,pz,qw,qx,qy,qz`. Throws
-/// InputError with file, line and reason: a wrong header, a wrong column count, a field that is no
-/// number or not finite, a quaternion further than 1e-3 from unit length (nearer ones are
-/// normalised).
+/// Reads `px,py,pz,qw,qx,qy,qz`. Throws InputError with file, line and reason: a wrong header, a
+/// wrong column count, a field that is not a finite number, or a quaternion whose length differs
+/// from 1 by more than 1e-3 (others are normalised).
 std::vector<Pose> read_poses(const std::filesystem::path& file);
-/// The same, or a path with `t` before them, whose times do not count.
+/// The same, or a path with `t` as the first column, which is ignored.
 std::vector<Pose> read_poses_or_path(const std::filesystem::path& file);
 
-/// Reads `t,px,py,pz,qw,qx,qy,qz`, t strictly increasing; errors as read_poses.
+/// Reads `t,px,py,pz,qw,qx,qy,qz`, t strictly increasing; errors as for read_poses.
 std::vector<TimedPose> read_trajectory(const std::filesystem::path& file);
 
 }  // namespace sonde

@@ -23,7 +23,8 @@ namespace {
 using Kind = JsonNode::Kind;
 using Keys = std::vector<std::string_view>;
 
-constexpr std::size_t most_scene_bytes = 1 << 22;  // most_parts, as the window writes them
+// For most_parts, in the form that the window writes.
+constexpr std::size_t most_scene_bytes = 1 << 22;
 
 struct Unit {
   std::string_view name;
@@ -32,7 +33,7 @@ struct Unit {
 constexpr std::array<Unit, 6> units{
     {{"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}, {"in", 0.0254}, {"ft", 0.3048}}};
 
-// The keys of each object of a scene; "$schema" is there for editors that complete and check.
+// The keys of each object of a scene; "$schema" is for editors with completion and validation.
 const Keys& scene_object_keys() {
   static const Keys keys{"$schema", "format",     "unit",     "probe",  "fixed", "allowance",
                          "safety",  "trajectory", "coupling", "device", "servo", "view"};
@@ -43,7 +44,7 @@ Keys coupling_keys() {
   keys.insert(keys.begin(), "mode");
   return keys;
 }
-/// A scene's `device` names a profile beside the settings.
+/// A scene's `device` has the device settings, and may name a profile.
 Keys device_keys() {
   Keys keys = device_settings_keys();
   keys.insert(keys.begin(), "profile");
@@ -59,7 +60,7 @@ struct Reader : SceneReader {
     return choice(node, unit_in_metres(node.text), known);
   }
 
-  /// The gains, or the path of a file with them.
+  /// The gains, or the path of a file that contains them.
   Coupling coupling_or_path(const JsonNode& node) const {
     if (node.kind != Kind::string) return coupling(node);
     const std::filesystem::path gains = path(node);
@@ -81,7 +82,7 @@ struct Reader : SceneReader {
     return servo;
   }
 
-  /// An id stays as it is; what ends in ".json" is a path like the others.
+  /// An id is kept unchanged; a text that ends in ".json" is a path like the others.
   std::string profile(const JsonNode& node) const {
     const std::filesystem::path whole = path(node);
     return node.text.ends_with(".json") ? whole.string() : node.text;
@@ -101,7 +102,7 @@ struct Reader : SceneReader {
 Scene read(const Reader& reader, const std::string& text) {
   const JsonNode root = parse_json(reader.file.string(), text);
   Scene scene;
-  scene.format = reader.format(root);  // first: what is newer may have keys not known here
+  scene.format = reader.format(root);  // first: a newer format may have unknown keys
   reader.expect_object(root, scene_object_keys());
   scene.file = reader.file;
   scene.name = name_of_scene(reader.file);

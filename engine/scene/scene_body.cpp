@@ -72,7 +72,7 @@ std::shared_ptr<const Body> joined(const SceneBody& whole, double unit, Componen
   return join(whole, parts, part_of(progress, 0.6, 1));
 }
 
-/// A part as it is in the body that it is of.
+/// A part with the scale and repair of the body that it belongs to.
 SceneBody part_in(const SceneBody& whole, SceneBody part) {
   part.scale *= whole.scale;
   part.pose.p *= whole.scale;
@@ -91,7 +91,7 @@ std::shared_ptr<const Body> load_component(const SceneBody& part, double unit,
                    part_of(progress, 0.5, 1), part.repair);
 }
 
-/// A body of one mesh as one of a single part.
+/// A body of one mesh, converted to a body with a single part.
 SceneBody as_whole(const SceneBody& body) {
   SceneBody whole = body, part = body;
   part.pose = Pose();

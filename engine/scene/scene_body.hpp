@@ -12,59 +12,61 @@
 
 namespace sonde {
 
-/// One of the two bodies of a scene as its file describes it.
+/// One of the two bodies of a scene, as described in its file.
 struct SceneBody {
   std::filesystem::path mesh;  ///< absolute, or relative to the working directory
   Model model = Model::automatic;
   Repair repair = Repair::automatic;
   double scale = 1;
   Pose pose;  ///< X_WM, metres
-  /// By which its faces are moved outwards once it is loaded, m: the scene's `safety`, or less than
-  /// zero its `allowance`. A scene file has them of the probe alone.
+  /// m: outward offset of its faces, applied after loading: the scene's `safety`, or minus its
+  /// `allowance`. A scene file has them for the probe only.
   double offset = 0;
-  std::size_t mesh_line = 0;  ///< where the scene's file, as it was read, names the mesh
-  std::string name = {};      ///< of a part; empty: the mesh file's
-  /// What the body is made of where that is several meshes that stand together, each at its pose in
-  /// this body's mesh frame, which is the world's when the scene is read. Then `mesh` is that of
-  /// the first, and `model` says nothing.
+  std::size_t mesh_line = 0;  ///< line of the scene's file that names the mesh
+  std::string name = {};      ///< of a part; empty: the mesh file's name
+  /// If the body consists of several meshes: these, each at its pose in this body's mesh frame,
+  /// which is the world frame when the scene is read. Then `mesh` is that of the first part, and
+  /// `model` is unused.
   std::vector<SceneBody> parts = {};
-  // Of a part:
+  // For a part only:
   std::string colour = {};  ///< in the window, "#e97d25"; empty: the window chooses
   bool shown = true;        ///< in the window
-  bool felt = true;         ///< false: the body is joined without it, so that it costs nothing
-  /// Which component of its mesh it is (components_of), from 1; 0: all of the mesh.
+  bool felt = true;         ///< false: the body is joined without it, so it costs nothing
+  /// The component of its mesh that it is (components_of), from 1; 0: the whole mesh.
   std::size_t component = 0;
-  /// Of a part or a body of one mesh: each component of the mesh is to be a part (with_components).
+  /// For a part, or a body of one mesh: each component of the mesh becomes a part
+  /// (with_components).
   bool components = false;
 };
-/// The name of a part: its own, or that of its file; of a component with ":" and its number.
+/// The name of a part: its own, or its file's; for a component with ":" and its number.
 std::string part_name(const SceneBody& part);
-/// The body itself, or its parts: what names a mesh file.
+/// The body itself, or its parts: the objects that name mesh files.
 std::vector<SceneBody> meshes_of(const SceneBody& body);
 
-/// What the numbers of a body's mesh file are multiplied by: its scale times the scene's unit, or
-/// its scale alone where the file states its own unit and is read in metres (has_own_unit).
+/// The factor on the coordinates of a body's mesh file: its scale times the scene's unit, or its
+/// scale only, if the file states its own unit and is read in metres (has_own_unit).
 double mesh_scale(const SceneBody& body, double unit);
 
-/// Where a body or parts of it ask for their components: each of them as a part, with the looks and
-/// the place of what asks; a mesh that is one component stays whole. Else the body as it is. Throws
-/// as read_mesh, and InputError where they are too many or two parts come to have one name.
+/// If a body or parts of it request their components: the body with each component as a part, with
+/// the appearance and pose of the requesting object; a mesh with a single component stays whole.
+/// Otherwise the body unchanged. Throws as read_mesh does, and InputError if there are too many
+/// components or two parts would have the same name.
 SceneBody with_components(const SceneBody& body, double unit, ComponentFiles& files,
                           const Progress& progress = {});
 
-/// Loads one body of a scene, in metres, with its offset and its components. One of several parts
-/// is made of what each felt part is by itself, joined (Body::parts). Throws as load_body,
-/// with_components and offset_faces, and InputError where a part is to be a surface though it is
-/// closed: joined to others, its inside counts.
+/// Loads one body of a scene, in metres, with its offset and its components. A body of several
+/// parts is joined from its felt parts (Body::parts). Throws as load_body, with_components and
+/// offset_faces do, and InputError if a part is declared a surface although it is closed: joined to
+/// others, its inside counts.
 std::shared_ptr<const Body> load(const SceneBody& body, double unit, const Progress& progress = {});
 
-/// One part of a body of several, by itself, at its place in the body. Throws as load_body, and
-/// InputError where its mesh has not so many components.
+/// One part of a body of several, at its pose in the body. Throws as load_body does, and InputError
+/// if its mesh does not have that many components.
 BodyPart load_part(const SceneBody& whole, std::size_t part, double unit, ComponentFiles& files,
                    const Progress& progress = {});
-/// The body that its felt parts make together, with its offset. `parts`: each of `whole.parts` as
-/// load_part has it; those that are not felt may be without a body. Throws as load, and InputError
-/// where none is felt.
+/// The body that its felt parts form together, with its offset. `parts`: each of `whole.parts`,
+/// from load_part; those that are not felt may have no body. Throws as load does, and InputError if
+/// no part is felt.
 std::shared_ptr<const Body> join(const SceneBody& whole, const std::vector<BodyPart>& parts,
                                  const Progress& progress = {});
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int newest_format = 1;  // of scenes
 
-/// "#e97d25", as web pages have colours.
+/// A colour such as "#e97d25", as on web pages.
 bool is_colour(const std::string& text) {
   constexpr std::size_t length = 7;
   return text.size() == length && text[0] == '#' &&
@@ -110,7 +110,7 @@ SceneBody SceneReader::body(const JsonNode& node, double unit) const {
   return whole;
 }
 
-/// What a part has beside a body's keys.
+/// Reads the keys that only parts have.
 void SceneReader::read_part(const JsonNode& node, SceneBody& part) const {
   if (const JsonNode* name = node.find("name")) {
     expect(*name, Kind::string);

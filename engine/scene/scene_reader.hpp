@@ -14,15 +14,15 @@
 
 namespace sonde {
 
-/// Reads the values of one scene file, its bodies among them, and complains with its name and the
-/// line: InputError. Used by scene.cpp alone.
+/// Reads the values of one scene file, including its bodies; its errors are InputErrors with the
+/// file's name and the line. Used by scene.cpp only.
 struct SceneReader {
   using Kind = JsonNode::Kind;
   using Keys = std::vector<std::string_view>;
 
   std::filesystem::path file;
-  std::filesystem::path within = {};  ///< the folder that its paths stay in; empty: anywhere
-  /// Keeps those that do not, instead of refusing them; then no file of gains is read.
+  std::filesystem::path within = {};  ///< the folder that its paths must stay in; empty: any
+  /// Collects paths out of the folder, instead of refusing them; then no file of gains is read.
   std::vector<std::filesystem::path>* outside = nullptr;
 
   [[noreturn]] void fail(std::size_t line, const std::string& reason) const;
@@ -33,7 +33,7 @@ struct SceneReader {
   const JsonNode& need(const JsonNode& object, std::string_view key) const {
     return need_key(file, object, key, "the scene");
   }
-  /// One of a few words; `known` as a list for the complaint.
+  /// One of a few words; `known` is the list for the error message.
   template <class Value>
   Value choice(const JsonNode& node, const std::optional<Value>& value, const Keys& known) const {
     if (value) return *value;
@@ -41,13 +41,13 @@ struct SceneReader {
                         "; the nearest known value is " + in_quotes(nearest(node.text, known)));
   }
 
-  /// The scene's `format`, where it has one.
+  /// The scene's `format`, if it has one.
   std::optional<int> format(const JsonNode& root) const;
   std::filesystem::path path(const JsonNode& node) const;
   Pose pose(const JsonNode& node, double unit) const;
-  /// One mesh, or a list of them that stand together.
+  /// One mesh, or a list of meshes that belong together.
   SceneBody body(const JsonNode& node, double unit) const;
-  /// By how much the probe is taken larger, or less than zero smaller, m.
+  /// The outward offset of the probe's faces, negative inwards, m.
   double offset(const JsonNode& root, double unit) const;
 
  private:

@@ -36,9 +36,10 @@ double in_unit(double length, double unit) {
   return best;
 }
 
-/// Numbers that the reader's normalisation turns into that unit quaternion, to the bit. It is not
-/// idempotent: a quaternion that was read may come out a last bit different from its own numbers,
-/// and from all that are nearly those. So first these are tried, then multiples far from them.
+/// Numbers that the reader's normalisation converts to that unit quaternion, to the bit.
+/// Normalisation is not idempotent: a quaternion that was read may differ in the last bit from the
+/// normalisation of its own numbers, and of all numbers near these. So these are tried first, then
+/// multiples far from them.
 std::array<double, 4> before_normalisation(const Quat& q) {
   constexpr int near = 64, most = 4000;
   constexpr double furthest = 1e-4, golden = 0.6180339887498949;
@@ -70,7 +71,7 @@ std::string quoted(const std::string& text) {
   }
 }
 
-/// By the names alone, as the reader puts them together again.
+/// Uses only the names, as the reader does to restore the path.
 std::string path_text(const fs::path& file, const fs::path& folder) {
   const fs::path whole = fs::absolute(file).lexically_normal();
   const fs::path relative = whole.lexically_relative(fs::absolute(folder).lexically_normal());
@@ -94,7 +95,7 @@ std::string mesh_text(const SceneBody& body, double unit, const fs::path& folder
   return text + "\n  }";
 }
 
-/// A list of parts holds what the whole is besides: its scale, its pose, what is mended.
+/// The text of a list of parts includes the scale, the pose and the repair of the whole.
 std::string body_text(const SceneBody& body, double unit, const fs::path& folder) {
   if (body.parts.empty()) return mesh_text(body, unit, folder);
   std::string text;
@@ -115,7 +116,7 @@ std::string coupling_text(const Coupling& coupling) {
   return text + "\n  }";
 }
 
-/// Those that differ from what a scene has that does not name them; empty where none does.
+/// The settings that differ from the defaults of a scene; empty if there are none.
 std::string servo_text(const ServoSettings& servo) {
   std::string text;
   const ServoSettings defaults;
@@ -143,7 +144,7 @@ std::string device_text(const SceneDevice& device, const fs::path& folder) {
   }
   if (device.settings) {
     auto settings = nlohmann::ordered_json::parse(device_settings_text(*device.settings));
-    settings.erase("servo");  // a scene says that for itself
+    settings.erase("servo");  // a scene has its own servo settings
     json.update(settings);
   }
   return json.empty() ? std::string() : indented(json.dump(2));

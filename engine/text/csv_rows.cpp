@@ -13,7 +13,7 @@
 namespace sonde {
 namespace {
 
-/// Hands out the lines of a text, without their ends (LF or CRLF).
+/// Iterates over the lines of a text, without their ends (LF or CRLF).
 class Lines {
  public:
   explicit Lines(std::string_view text) : rest_(text) {}
@@ -27,7 +27,7 @@ class Lines {
     ++number_;
     return true;
   }
-  /// True where nothing but blank lines is left.
+  /// True if only blank lines are left.
   bool only_blank_left() const {
     return rest_.find_first_not_of(" \t\r\n") == std::string_view::npos;
   }
@@ -37,7 +37,7 @@ class Lines {
   std::size_t number_ = 0;
 };
 
-/// What a field says, cut where it is too long to be shown.
+/// The text of a field, truncated if it is too long to be shown.
 std::string shown(std::string_view text) {
   return text.size() <= 60 ? std::string(text) : std::string(text.substr(0, 57)) + "...";
 }
@@ -50,7 +50,7 @@ double number_in(std::string_view field, std::string_view name) {
   return *value;
 }
 
-/// The numbers of one line, as many as `columns` names.
+/// The numbers of one line, one for each of `columns`.
 std::vector<double> numbers_in(std::string_view line, std::span<const std::string_view> columns) {
   std::vector<double> numbers(columns.size());
   std::size_t n = 0;

@@ -11,10 +11,10 @@
 
 namespace sonde {
 
-/// The checks of every reader of a JSON file. The errors are InputErrors with the file, the line
-/// and the reason.
+/// The checks that all readers of JSON files share. The errors are InputErrors with the file, the
+/// line and the reason.
 
-/// The text in quotes, cut where it is long.
+/// The text in quotes, truncated if it is long.
 std::string in_quotes(std::string_view text);
 
 [[noreturn]] void fail_at(const std::filesystem::path& file, std::size_t line,
@@ -22,7 +22,7 @@ std::string in_quotes(std::string_view text);
 
 void expect_kind(const std::filesystem::path& file, const JsonNode& node, JsonNode::Kind kind);
 
-/// Requires an object with no other keys than these; the error names the nearest known one.
+/// Requires an object without other keys; the error names the nearest known key.
 void expect_keys(const std::filesystem::path& file, const JsonNode& node,
                  std::span<const std::string_view> known);
 

@@ -6,7 +6,7 @@
 
 namespace sonde {
 
-/// JSON has neither NaN nor infinity: null instead.
+/// JSON has neither NaN nor infinity; they become null.
 inline nlohmann::ordered_json number_or_null(double x) {
   return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr);
 }

@@ -10,7 +10,7 @@
 
 namespace sonde {
 
-/// A length (m) for a reader, in the unit that leaves the fewest zeros: "10 µm", "2.5 mm", "1.2 m".
+/// A length (m) as text, in the unit with the fewest zeros: "10 µm", "2.5 mm", "1.2 m".
 inline std::string length_text(double metres, int digits = 6) {
   constexpr std::array<std::pair<double, const char*>, 4> units{
       {{1, "m"}, {1e-3, "mm"}, {1e-6, "µm"}, {1e-9, "nm"}}};

@@ -10,11 +10,11 @@
 namespace sonde {
 namespace {
 
-// Far beyond any real scene; they keep hostile files from exhausting the stack or the clock.
+// Far beyond any real scene: protects against files that would exhaust the stack or the time.
 constexpr std::size_t deepest = 64;
 constexpr std::size_t most_keys = 1000;
 
-/// Walks the text and keeps count of how far the parser has read: its events carry no position.
+/// Iterates over the text and counts what the parser has read, since its events have no position.
 struct CountingIterator {
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
@@ -40,7 +40,7 @@ struct CountingIterator {
   bool operator!=(const CountingIterator& other) const { return at != other.at; }
 };
 
-/// Counts lines up to an offset that only ever grows.
+/// Counts lines up to an offset that never decreases.
 class LineCounter {
  public:
   explicit LineCounter(std::string_view text) : text_(text) {}
@@ -56,14 +56,14 @@ class LineCounter {
   std::size_t line_ = 1;
 };
 
-/// The library puts its own code and position first: "[...] parse error at line 1, column 2: why".
+/// Removes the library's own prefix: "[...] parse error at line 1, column 2: why".
 std::string reason_of(const std::string& what) {
   const std::size_t column = what.find("column ");
   const std::size_t colon = column == std::string::npos ? what.find("] ") : what.find(": ", column);
   return colon == std::string::npos ? what : what.substr(colon + 2);
 }
 
-/// Takes the parser's events and builds the tree.
+/// Builds the tree from the parser's events.
 class Builder : public nlohmann::json_sax<nlohmann::json> {
  public:
   Builder(std::string file, std::string_view text) : file_(std::move(file)), lines_(text) {}
@@ -104,8 +104,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   }
 
  private:
-  /// The line of the token just read. The parser has then read the token's last character or, after
-  /// a number, one more, which may be a line's end: so the last one read is not counted.
+  /// The line of the token just read. The parser has read the token's last character or, after a
+  /// number, one more, which may be a line end; so the last character is not counted.
   std::size_t here() { return lines_.line_at(consumed == 0 ? 0 : consumed - 1); }
 
   JsonNode& leaf(JsonNode::Kind kind) {
@@ -125,7 +125,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     JsonNode& node = leaf(kind);
     if (stack_.size() == deepest) throw InputError::at_line(file_, node.line, "nested too deeply");
     node.begin = consumed - 1;
-    // A parent's children move only when the next sibling comes, and then this one is closed.
+    // A parent's children move only when the next sibling is added, and then this one is closed.
     stack_.push_back(&node);
     return true;
   }

@@ -8,7 +8,8 @@
 
 namespace sonde {
 
-/// A JSON value with its place in its file, so that an error about its meaning can name the line.
+/// A JSON value with its position in its file, so that an error about its meaning can name the
+/// line.
 struct JsonNode {
   enum class Kind { null, boolean, number, string, array, object };
   Kind kind = Kind::null;
@@ -26,7 +27,7 @@ struct JsonNode {
 };
 
 /// Parses JSON text. Throws InputError with `file`, the line and the reason: text that is not JSON,
-/// a key given twice, a number too large for a double, levels or keys beyond all reason.
+/// a repeated key, a number too large for a double, or too many levels or keys.
 JsonNode parse_json(const std::string& file, std::string_view text);
 
 /// "a string", "an object", ... for messages.

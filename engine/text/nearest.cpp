@@ -8,7 +8,8 @@
 namespace sonde {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  // Three rows of the table of distances between beginnings of a and b: this one and two before.
+  // Three rows of the table of distances between prefixes of a and b: the current one and two
+  // before.
   std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -26,8 +27,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string_view nearest(std::string_view word, std::span<const std::string_view> known) {
-  const std::string_view start = word.substr(0, 100);  // a hostile key may be as long as its file
-  // Of two equally near the longer: letters are more often left out than added.
+  const std::string_view start = word.substr(0, 100);  // a malicious key may be as long as its file
+  // Of two equally near words, the longer: letters are omitted more often than added.
   const auto found = std::ranges::min_element(known, {}, [&](std::string_view candidate) {
     return std::pair(edit_distance(start, candidate), ~candidate.size());
   });

@@ -11,7 +11,7 @@ namespace sonde {
 /// word into the other.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The known word nearest to the given one; of two equally near, the longer. Empty where none is
+/// The known word nearest to the given one; of two equally near, the longer. Empty if none is
 /// known.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> known);
 

@@ -9,8 +9,8 @@
 
 namespace sonde {
 
-/// A number as text, '.' whatever the locale. `digits` significant ones (17 read back as the same
-/// number, to the bit); 0: the shortest text that does.
+/// A number as text, with '.' in any locale. `digits` significant digits (17 are read back to the
+/// bit); 0: the shortest text that is read back to the bit.
 inline std::string number_text(double value, int digits = 0) {
   char text[64];
   const auto end = digits > 0 ? std::to_chars(text, text + sizeof text, value,
@@ -19,8 +19,8 @@ inline std::string number_text(double value, int digits = 0) {
   return std::string(text, end.ptr);
 }
 
-/// The number that is the whole of the text, '.' whatever the locale; a leading '+' is accepted. No
-/// value where the text is anything else, or too large for a double.
+/// The number that the whole text represents, with '.' in any locale; a leading '+' is accepted. No
+/// value if the text is anything else, or too large for a double.
 inline std::optional<double> parse_number(std::string_view text) {
   if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
   double value = 0;

@@ -22,7 +22,7 @@ fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-/// The file that a symbolic link stands for: the link itself is to stay.
+/// The target of a symbolic link, since the link itself must stay.
 fs::path behind_links(const fs::path& file) {
   std::error_code error;
   const fs::path real = fs::canonical(file, error);
@@ -40,7 +40,7 @@ void write_special(const fs::path& file, std::string_view text) {
   if (!special.is_open() || !special.write(text)) fail(file, special.error());
 }
 
-/// A name beside the target that no other process or thread of this one uses.
+/// A name next to the target that no other process and no other thread uses.
 fs::path temporary_name(const fs::path& target) {
   static std::atomic<unsigned> count{0};
   std::string name = ".";

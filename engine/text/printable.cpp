@@ -19,7 +19,7 @@ std::string printable(std::string_view text) {
   unsigned char before = 0;
   for (const char letter : text) {
     const auto c = static_cast<unsigned char>(letter);
-    if (is_control(before, c)) out.pop_back();  // 0xC2, which is no letter by itself
+    if (is_control(before, c)) out.pop_back();  // 0xC2, which is no character by itself
     if (is_control(c) || is_control(before, c))
       out.append("\\x").append({digits[c >> 4U], digits[c & 0xfU]});
     else

@@ -6,8 +6,8 @@
 
 namespace sonde {
 
-/// The text with every control character, of C0 and of C1 in UTF-8, as \xNN: a file's name may hold
-/// any, and a terminal would obey it.
+/// The text with every control character (C0, and C1 in UTF-8) as \xNN: a file's name may contain
+/// any, and a terminal would execute it.
 std::string printable(std::string_view text);
 
 }  // namespace sonde

@@ -20,7 +20,7 @@ std::string read_text(const std::filesystem::path& file, std::size_t most) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"),
                                                                &std::fclose);
   if (!stream) throw fail(system_reason());
-  // Read piece by piece, not by the file's size: a pipe has none.
+  // Reads piece by piece, not by the file's size: a pipe has none.
   std::string text;
   char piece[65536];
   while (const std::size_t n = std::fread(piece, 1, sizeof piece, stream.get())) {

@@ -7,8 +7,8 @@
 
 namespace sonde {
 
-/// The whole of a file, without a leading byte-order mark. Throws InputError naming the file and
-/// the reason: not there, not readable, a folder, empty, or longer than `most` bytes.
+/// The whole content of a file, without a leading byte-order mark. Throws InputError naming the
+/// file and the reason: missing, unreadable, a folder, empty, or longer than `most` bytes.
 std::string read_text(const std::filesystem::path& file, std::size_t most);
 
 }  // namespace sonde

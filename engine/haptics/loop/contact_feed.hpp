@@ -11,7 +11,7 @@ namespace sonde {
 
 /// The geometry's part of the decoupled loop, without thread or clock. It follows the device with
 /// the coherent solver, and gathers rows for everything near the separated pose, touching or not.
-/// Their reach depends on the room for rows: as far as there are not too many pairs of triangles.
+/// Their reach depends on the room for rows: it is as large as the number of pairs permits.
 /// If there is no room for all rows, it first keeps those that would hold the probe at other device
 /// poses near by. A flat contact has more rows than any limit, and the nearest may all belong to
 /// one corner of it.

@@ -6,8 +6,8 @@ namespace {
 
 constexpr double nearly = 1e-9;      // share of a limit, for rounding
 constexpr double noticeably = 1e-2;  // share of the wanted change
-constexpr double nearly_whole =
-    0.995;  // share of the ramp: shown as "100 %", it would explain nothing
+// Share of the ramp: shown as "100 %", it would explain nothing.
+constexpr double nearly_whole = 0.995;
 
 Lessened lessened(const Vec3& given, const Vec3& asked, double most, const HandState& hand) {
   if (given.isZero(0)) return Lessened::nothing;

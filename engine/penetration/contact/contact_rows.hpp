@@ -86,7 +86,7 @@ class ContactRows {
   /// Spends what a tick leaves of a limited effort on the next neighbour list.
   void prepare_next_list(Effort& effort) noexcept;
 
-  /// What cut() found at the end of a path.
+  /// Result of cut() at the end of a path.
   struct PathCheck {
     bool news = false;  ///< cut() added rows
     double lost = 0;    ///< m: the most that one pair would lose of min(its gap now, margin)

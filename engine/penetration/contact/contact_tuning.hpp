@@ -12,8 +12,8 @@ namespace sonde {
 struct ContactTuning {
   // Caps on rows and pairs (ContactRows)
   /// Maximum number of rows; at most six of them are active. When it is reached, further contacts
-  /// give no row, the steps that they are in the way of are cut short, and the answer is not
-  /// converged if that ends the descent.
+  /// give no row. Steps that they block are cut short, and if that ends the descent, the answer is
+  /// not converged.
   std::size_t most_rows = 256;
   /// Pairs that a gather of the coherent solver makes rows of, the nearest. These rows are a first
   /// guess; cut() finds the others.
@@ -74,7 +74,7 @@ struct ContactTuning {
   /// smaller the next time.
   double affordable_list = 8;
   /// Share of a list's reach that is kept for deviations from the recent course; the rest is for
-  /// travel along it. When lists were due, the probe was off their course by 1 % of its way on
+  /// travel along it. When lists were due, the probe was off their course by 1 % of its path on
   /// nut-on-bolt and peg-in-hole, and by 10 to 14 % on torus-knots, linked-tori and spoon-in-cup
   /// (medians; 2 to 30 % in three of four).
   double share_beside_course = 0.25;

@@ -37,7 +37,7 @@ class PairLists {
   /// rad: the turn of that path.
   double recent_turn() const noexcept { return turning_.norm(); }
 
-  /// What a list has to cover.
+  /// The range that a list must cover.
   struct Wanted {
     double reach_at_end = 0;      ///< m: at the end of the path
     double reach_on_path = 0;     ///< m: on all of the path, if there is room for so many pairs

@@ -85,7 +85,7 @@ void Descent::report(Outcome& out, const Vec6& y, const LeastDistance& nearest) 
   out.move_to(y);
 }
 
-/// What the steps so far predict for the next one.
+/// Predictions for the next step, from the steps so far.
 struct Descent::Pace {
   double scale = 0;    ///< m: typical length of a step
   double bending = 0;  ///< κ, 1/m: how strongly contacts were found to bend into the path

@@ -18,7 +18,7 @@ double allowed_clearance(double radius, double depth);
 struct DescentGoal {
   double residual = 1e-4;  ///< |y − Jᵀλ| / |y|
   int steps = 60;          ///< maximum number of iterations
-  double held_slope = 0;  ///< m: slope of ½|y|² up to which a way down is no fall (Outcome::fallen)
+  double held_slope = 0;  ///< m: a path down a slope of ½|y|² up to this is not `fallen` (Outcome)
 };
 
 /// Local optimisation on the contact space, from a free pose. Each step linearises the near pairs
@@ -67,7 +67,7 @@ class Descent {
               const Deadline& deadline) noexcept;
   /// The same with an effort, which may end anywhere, also within the first step. The path is free
   /// up to the pose at which the run stopped. That pose may touch nothing. Its contacts are the
-  /// last ones found on the way. If the effort did not suffice for any look, they are those of the
+  /// last ones found on the way. If the effort did not suffice to find any, they are those of the
   /// run before, moved with the probe.
   Outcome run(const Chart& chart, const Vec6& y, const DescentGoal& goal, double expected_step,
               Effort& effort) noexcept;

@@ -33,7 +33,7 @@ Vec6 worth_trying(const Chart& chart, const Vec6& y, Vec6 step, double trust) {
 
 }  // namespace
 
-/// What the leaps so far predict for the next one.
+/// Predictions for the next leap, from the leaps so far.
 struct LeapDescent::Pace {
   double trust;    ///< m: trust region, the longest leap allowed
   double bending;  ///< κ, 1/m: contacts bend into a leap by about κ|leap|²

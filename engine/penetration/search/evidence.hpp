@@ -30,8 +30,9 @@ class Evidence {
   /// The best way out is much longer than the overlap: a shorter one may exist that is too narrow
   /// for the sketches to resolve. Requires sketches.
   bool may_be_narrow() const;
-  /// The same, whatever agrees: starts that agree show that a way out is wide, not that no shorter
-  /// and narrower one exists. False if there are no sketches, or if no point of theirs lies deep.
+  /// The same, however many starts agree: agreement shows that a way out is wide, not that no
+  /// shorter and narrower one exists. False if there are no sketches, or if no point of theirs lies
+  /// deep.
   bool may_be_deep() const { return !optima_.empty() && is_far_out(optima_.best()); }
   /// Whether a way out of this length, m, is long compared with the overlap (Separation::far_out).
   bool is_far_out(double depth) const;

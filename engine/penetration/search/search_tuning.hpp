@@ -70,8 +70,8 @@ struct SearchTuning {
   double least_end_ball = 0.1;               ///< times the best depth, about one of the best ends
   double largest_end_ball = 0.6;             ///< times the best depth
   std::size_t ends_for_sketches = 3;         ///< number of best ends about which starts are made
-  double hopeless_few_points =
-      0.95;  ///< times the best depth: a descent that will end above is given up
+  /// Times the best depth: a descent that will end above is given up.
+  double hopeless_few_points = 0.95;
   double hopeless_more_points = 1.1;  ///< the same with all points: ends beside the best are wanted
   /// Factor on the best depth: descents with few points that end above are not repeated with all
   /// points. If it is lower, places are lost where few points mislead.
@@ -124,7 +124,7 @@ struct SearchTuning {
   double known_within = 0.1;
 
   // Random starts
-  /// Number of starts after the sketches have given what they can. On depths.csv, 16, 32, 64 and
+  /// Maximum number of random starts after the starts on sketches. On depths.csv, 16, 32, 64 and
   /// 160 of them leave the same poses of three seeds over 1 % too deep; with the bodies moved, 32
   /// lose two poses more than 64, one by 22 %. Without sketches, StaticOptions::starts is the
   /// limit. If overlaps are pushed apart instead: with 32, 64 and 128 of them 348, 359 and 368 of
@@ -143,8 +143,8 @@ struct SearchTuning {
   double smallest_ball = 2e-3;  ///< R: the first ball of near starts
   /// R (far starts: of the first ball): limit of the search for a free pose.
   double largest_ball = 4;
-  double near_again =
-      0.3;  ///< factor on the radius of the last free pose: the next search begins there
+  /// Factor on the radius of the last free pose: the next search begins there.
+  double near_again = 0.3;
   /// |v|: poses with larger turns, 128°, are not used as starts, since the chart is strongly curved
   /// there. Only descents reach a way out with such a turn.
   double largest_start_v = 0.9;
@@ -155,8 +155,8 @@ struct SearchTuning {
   double about_wider = 0.47;      ///< times the best depth: added at most; most are near the least
   double nearest_overlap = 0.1;   ///< times the best depth: between solids, overlaps to push apart
   double farthest_overlap = 1.2;  ///< the same
-  double far_widths[3] = {0.75, 1.15,
-                          1.5};  ///< times the best depth: that ball itself has no free pose
+  /// Times the best depth: that ball itself has no free pose.
+  double far_widths[3] = {0.75, 1.15, 1.5};
 
   // Descents of one start, by leaps: roughly by outlines, then by the true contacts
   int rough_steps = 15;

@@ -82,8 +82,8 @@ std::optional<SketchEnd> SketchSearch::start(int number, SketchDescent& descent)
 std::optional<SketchEnd> SketchSearch::start_about(const Vec6& center, double ball,
                                                    const Balls& balls, Random& random,
                                                    SketchDescent& descent) const {
-  const bool must =
-      ends_.empty() && made_ == 0;  // the first start always yields an end, however late
+  // The first start always yields an end, however late.
+  const bool must = ends_.empty() && made_ == 0;
   for (; ball < tuned_.largest_ball * chart_.mass().radius; ball *= balls.growth)
     for (int tries = 0; tries < balls.tries && (must || !goal_.deadline.passed()); ++tries) {
       const Vec6 y = center + sample(random, ball);

@@ -26,7 +26,7 @@ struct SketchEnd {
   double came_to = -1;
 };
 
-/// What a search on sketches looks for.
+/// The goal and limits of a search on sketches.
 struct SketchGoal {
   Method method = Method::pdg;
   std::uint64_t seed = 1;

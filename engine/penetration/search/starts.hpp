@@ -46,7 +46,7 @@ class Starts {
   LocalOptimum beyond(const SketchEnd& end, const Aim& aim, std::size_t lane);
   /// Pushes the overlap at y apart by its intersecting triangles, and descends from there.
   LocalOptimum pushed(const Vec6& y, const Aim& aim, std::size_t lane);
-  /// The same from a random overlap within `radius`, m.
+  /// As pushed(), from a random overlap within `radius`, m.
   LocalOptimum pushed_within(double radius, Random& random, const Aim& aim, std::size_t lane);
   /// y of an overlap in which a principal axis of the probe lies along one of the fixed body, and
   /// both centres of mass on one line along it. The spin about the axis and the position along it
@@ -60,8 +60,8 @@ class Starts {
   LocalOptimum about(const Vec6& end, Random random, const Aim& aim, std::size_t lane);
   /// The k-th start of a round of random starts. Most start near the best ends, because where there
   /// are many, the better ones lie together. Others start from a random free pose of a ball
-  /// somewhat larger than the best depth so far; every other turn, where there is an inside to come
-  /// out of, they start from an overlap instead.
+  /// somewhat larger than the best depth so far. If both bodies are solid, every other turn starts
+  /// these from an overlap instead.
   static constexpr std::size_t per_round = 8;
   LocalOptimum random(std::size_t turn, std::size_t k, const std::vector<Vec6>& ends, Random random,
                       const Aim& aim, std::size_t lane);

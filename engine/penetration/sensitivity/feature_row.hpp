@@ -14,7 +14,7 @@ struct FeatureRow {
   /// Probe's mesh frame, m: its vertex; a point of its face, and the unit normal; a point of its
   /// edge, and the unit direction. A normal points from the fixed body to the probe.
   Vec3 a, along_a;
-  /// The same of the fixed body, in its mesh frame F.
+  /// The same for the fixed body, in its mesh frame F.
   Vec3 b, along_b;
   double sign;  ///< of edges: the normal is along sign·(u × d)
 };

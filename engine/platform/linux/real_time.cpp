@@ -14,7 +14,7 @@
 namespace sonde {
 namespace {
 
-/// Before all ordinary threads, behind those that the system itself runs in this way.
+/// Above all ordinary threads, below those that the system itself runs with real-time priority.
 constexpr int priority = 20;
 
 int schedule(int policy, int priority_of_it) noexcept {
@@ -51,7 +51,7 @@ const char* memory_words(int error, bool later) {
   }
 }
 
-/// Pages that come later stay once they are there. Where there is a limit it is not asked for: an
+/// Locks future pages when they are first used. Not requested if there is a limit, since an
 /// allocation beyond it would fail.
 bool lock_what_comes() noexcept {
   rlimit limit{};
@@ -96,7 +96,7 @@ RealTime request_real_time() noexcept {
 bool request_precedence() noexcept {
   if (std::thread::hardware_concurrency() > 1) return schedule(SCHED_FIFO, priority / 2) == 0;
   constexpr int nice = -11;
-  return setpriority(PRIO_PROCESS, 0, nice) == 0;  // of this thread alone, on Linux
+  return setpriority(PRIO_PROCESS, 0, nice) == 0;  // on Linux, for this thread only
 }
 
 Promptness::Promptness(bool wanted) noexcept {

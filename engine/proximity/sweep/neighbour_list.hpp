@@ -190,8 +190,8 @@ class NeighbourList {
   Coverage planned_;            // of the list under construction
   BuildPlan plan_;              // of the list under construction
   bool fallback_only_ = false;  // the build covers only the fallback
-  std::vector<PairStack<SlotPair>>
-      to_visit_;  // of the build: one large stack; none if capacity is 0
+  // Stack of the build: one, large; none if capacity is 0.
+  std::vector<PairStack<SlotPair>> to_visit_;
   bool unfinished_ = false;
   Transform X_;        // of the list
   Transform last_;     // the last pose from which travel is counted

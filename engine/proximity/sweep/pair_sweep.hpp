@@ -101,8 +101,8 @@ class PairSweep {
   const Motion& motion_;
   double clearance_;
   double guard_;  // rounding error of a gap, m
-  double nearest_ =
-      std::numeric_limits<double>::infinity();  // m: least distance reported at the start
+  // m: least distance reported at the start.
+  double nearest_ = std::numeric_limits<double>::infinity();
   Moment start_, kept_;
   Transform end_;
   double kept_s_ = 0;

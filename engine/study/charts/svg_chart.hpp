@@ -17,8 +17,8 @@ struct ChartSeries {
   std::string name;  ///< for the legend; empty: not in it
   std::vector<double> x = {}, y = {};
   Form form = Form::line;
-  std::optional<std::size_t> color =
-      {};  ///< index in the palette; default: its index among the series
+  /// Index in the palette; default: its index among the series.
+  std::optional<std::size_t> color = {};
 };
 
 /// The meaning of a coloured cell.

@@ -74,8 +74,8 @@ struct Residuals {
   const std::vector<PulseWindow>* windows;
   Scale scale;
   double unit;  ///< m | rad
-  std::vector<std::size_t> changes =
-      {};            ///< samples with a new command; empty: at the logged times
+  /// Samples with a new command; empty: at the logged times.
+  std::vector<std::size_t> changes = {};
   double prior = 0;  ///< weight of the logged time
 
   int inputs() const { return static_cast<int>(parameter_count + std::ssize(changes)); }
@@ -247,8 +247,8 @@ double excess_of(const Residuals& residuals, const VectorXd& left, double encode
     at += size;
   }
   const double rounding = encoder_step / residuals.unit;
-  constexpr double nothing =
-      1e-5;  // share of the motion: residual of a valid model for exact poses
+  // Share of the motion: residual of a valid model for exact poses.
+  constexpr double nothing = 1e-5;
   const double expected = std::max({bends / samples, rounding * rounding / 12, nothing * nothing});
   return std::sqrt(squares / samples / expected);
 }

@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::size_t axis_count = 6;
 constexpr std::size_t least_pulses = 8;  // with fewer, an interval is unreliable
-constexpr std::size_t least_samples =
-    20;  // of a pulse: each of its four parts then has five or more
-constexpr double least_steps =
-    20;  // of the encoder: its rounding is then below 2 % of the excursion
+// Samples of a pulse: each of its four parts then has five or more.
+constexpr std::size_t least_samples = 20;
+// Steps of the encoder: its rounding is then below 2 % of the excursion.
+constexpr double least_steps = 20;
 constexpr double least_ratio = 1.5;  // of amplitudes
 constexpr double most_misfit = 0.1;  // of the motion's rms
 constexpr double most_half = 0.25;   // of the inertia's interval, as a share

@@ -319,8 +319,8 @@ std::vector<StudyFile> device_curve_files(const TuningResults& results) {
     const bool turns = kind.step == std::string("rad");
     add_z_width(kind, width);
     add_limits(kind, limits);
-    if (turns && object)
-      continue;  // the felt rotational stiffness depends on the probe, not only on k
+    // The felt rotational stiffness depends on the probe, not only on k.
+    if (turns && object) continue;
     const double stiffness = turns ? gains.k_r : object ? gains.k : gains.k_t;
     const double damping = object ? 0 : turns ? gains.b_r : gains.b_t;
     if (!has_recommendation(results) || !(stiffness > 0)) continue;

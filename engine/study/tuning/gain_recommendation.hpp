@@ -40,17 +40,17 @@ struct AxisGains {
   /// Where it then keeps oscillating without friction, so that the gains may rely on friction, and
   /// after the hardest of harder_knocks; with the theoretical limit.
   std::vector<GainLimit> swings_without_friction, swings_at_harder_knocks;
-  double passive =
-      0;  ///< up to which theory predicts passivity in every situation; 0: at no stiffness
+  /// Stiffness up to which theory predicts passivity in every situation; 0: at no stiffness.
+  double passive = 0;
   double passive_in_translation = 0;  ///< the same with the turn of the handle held
   double cycle_lever = 0;             ///< the largest cycle_lever, at one N/m | N·m/rad
   double released = 0;                ///< up to which theory predicts stability without a hand
   bool tried = false;  ///< on the ladder (RestLadder): only gains at which all comes to rest
   double longest_to_rest = 0;   ///< s, at that rung
   std::optional<Swing> swings;  ///< the oscillation at the next rung above, or at the lowest
-  double theory =
-      0;            ///< up to which theory predicts stability in every situation, without friction
-  GainLimit limit;  ///< the deciding limit: its stiffness is the recommended one
+  /// Stiffness up to which theory predicts stability in every situation, without friction.
+  double theory = 0;
+  GainLimit limit;                ///< the deciding limit: its stiffness is the recommended one
   std::vector<GainLimit> limits;  ///< the least for each reason, the lowest first
 
   double margin() const { return stiffness > 0 ? boundary / stiffness : 0; }

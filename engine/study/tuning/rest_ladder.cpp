@@ -18,8 +18,8 @@ constexpr double fine_step = 1.15;
 // A first look knows its limits to a ratio of 1.3; its own result is a rung.
 constexpr double above_first_look = fine_step * fine_step;
 constexpr double coarse_step = 1.3;
-constexpr double looked_below =
-    0.9;  // of the first look: parts still to come may lower it this far
+// Share of the first look: parts still to come may lower it this far.
+constexpr double looked_below = 0.9;
 constexpr double lowest = 1.0 / 8;
 
 /// The conditions of a hold.

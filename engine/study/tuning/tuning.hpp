@@ -60,8 +60,8 @@ struct SkippedContact {
 };
 struct TuningContacts {
   std::vector<TuningSituation> situations;
-  std::vector<SkippedContact>
-      skipped;  ///< harder ones than those studied, and kinds without a contact
+  /// Harder ones than those studied, and kinds without a contact.
+  std::vector<SkippedContact> skipped;
 };
 
 /// The contacts to study: the hardest of each kind in which a light hand can hold the probe still.
@@ -79,8 +79,8 @@ struct TuningPlan {
   TuningRequest request;
   TuningContacts contacts;
   JointGains joint = {};  ///< if all gains of the classic coupling are changed together
-  GainAxis axis =
-      GainAxis::object;  ///< the recommended axis: the one of main_axes that allows most
+  /// The recommended axis: the one of main_axes that allows most.
+  GainAxis axis = GainAxis::object;
   /// Share of the largest damping: searched in full, used where assumed values are varied, and for
   /// the first look.
   double damping_share = 0;

@@ -48,8 +48,8 @@ std::vector<Stretch> stretches(const TuningColumn& column) {
     const double to = i + 1 == runs.size() ? own : std::sqrt(runs[i + 1].stiffness * own);
     const MapClass map_class = class_of(runs[i], column.theory_passive);
     const double passive = column.theory_passive;
-    if (map_class >= MapClass::stable && from < passive &&
-        passive < to) {  // theory gives a finer boundary
+    // Theory gives a finer boundary.
+    if (map_class >= MapClass::stable && from < passive && passive < to) {
       add(out, {from, passive, MapClass::passive});
       add(out, {passive, to, MapClass::stable});
     } else {

@@ -115,8 +115,8 @@ std::vector<PartOf> parts_of(const TuningPlan& plan) {
   for (const GainAxis axis : axes)
     for (std::size_t i = 0; i < plan.contacts.situations.size(); ++i)
       for (const HandGrip& grip : hand_grips) {
-        if (axis != plan.axis && &grip != &hand_grips[0])
-          continue;  // the firm hand has higher limits
+        // The firm hand has higher limits.
+        if (axis != plan.axis && &grip != &hand_grips[0]) continue;
         std::vector<double> shares = damping_shares(tuning_setup(plan, i, grip), axis);
         if (is_alone(plan, axis) && shares.size() > 1) shares = {0, 1};
         parts.push_back({i, &grip, axis, shares});
