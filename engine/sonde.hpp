@@ -47,8 +47,8 @@ namespace sonde {
 struct Body;
 
 /// Reads a body from an OFF, OBJ, PLY, STL, GLB, glTF, 3MF or DAE file, text or binary. The
-/// extension tells the format. Coordinates are multiplied by `scale`, the file's unit in metres;
-/// those of the last four are in metres by the unit that they state, and `scale` comes on top.
+/// extension tells the format. Coordinates are multiplied by `scale`, the file's unit in metres.
+/// The last four formats state their unit: their coordinates are converted to metres by it first.
 /// @pre `scale` is positive and finite.
 /// @throws InputError, naming the file and, where there is one, the line or byte, where the file is
 /// missing, empty, truncated or no mesh, an index is out of range, a coordinate is not finite or
@@ -78,8 +78,8 @@ std::shared_ptr<const Body> make_body(std::span<const Vec3> vertices,
 /// with which a peg as large as its hole fits; outwards where positive, a safety. Planes move by
 /// exactly that, and corners to where planes meet; where a corner has no such point, none of its
 /// faces moves by less than asked, as far as that can be (facts() counts the corners where it
-/// cannot). The mass stays that of the body given, so that depths can be compared, but for R.
-/// Offsets add up. The triangles may be fewer: those that are smaller than the offset go.
+/// cannot). The mass properties stay those of the given body, except R, so that depths can be
+/// compared. Offsets add up. Triangles smaller than the offset may be removed.
 /// @throws InputError, naming the body, where it is a surface, `by` is not finite or leads beyond
 /// 1e30 m, or the body is thinner somewhere than twice as much as its faces go inwards, with the
 /// thinnest place found.
@@ -87,9 +87,9 @@ std::shared_ptr<const Body> make_body(std::span<const Vec3> vertices,
 std::shared_ptr<const Body> offset_body(const Body& body, double by, const Progress& progress = {});
 
 /// The same body with other mass properties, by which the object norm measures its motions: those
-/// of another density (facts() has the body's own, to begin with), or a point and moments that
-/// weigh turns against displacements, as where four times the inertia doubles what a turn costs.
-/// `radius` is computed. Forces and torques are about `mass.com`. Takes memory as the body does.
+/// of another density (facts() gives the body's own), or a point and moments that weigh turns
+/// against displacements: four times the inertia doubles the norm of a turn. `radius` is computed.
+/// Forces and torques are about `mass.com`. The result needs as much memory as the body.
 /// @throws InputError, naming the body, where the measure is not positive, a moment is negative, a
 /// number is not finite, or the axes R_MP are no rotation (to 1e-9).
 std::shared_ptr<const Body> with_mass(const Body& body, const MassProperties& mass);
@@ -131,8 +131,8 @@ std::span<const std::array<std::uint32_t, 3>> triangles(const Body& body);  ///<
 /// Status::failed and a reason. The same pair, pose, seed and counted budget give the same bits, on
 /// one thread or two. Any number of threads may call it on one pair at once. Allocates.
 ///
-/// `progress` is asked on the calling thread between starts, which take milliseconds. It is told
-/// which share was made of the starts that the search may make; most searches end long before.
+/// `progress` is called on the calling thread between starts, which take milliseconds. Its argument
+/// is the share of the permitted starts that is done; most searches end long before 1.
 /// @throws Cancelled where `progress` returns false.
 /// @throws std::bad_alloc.
 Separation separate(const Pair& pair, const Pose& X_FM, const StaticOptions& options = {},
@@ -167,16 +167,16 @@ struct Answer {
 /// it searches until it has converged. Computes no lower bound. Times are wall-clock times, so two
 /// runs need not give the same bits.
 /// @throws InputError where both are given, the time is negative or not finite, the accuracy is
-/// negative, not finite, or 1 and more, or how sure it should be is not above 0 and below 1.
+/// negative, not finite, or at least 1, or `knob.sure` is not between 0 and 1.
 /// @throws std::bad_alloc.
 Answer separate(const Pair& pair, const Pose& X_FM, const Knob& knob, Method method = Method::pdg,
                 std::uint64_t seed = 1);
 
 /// Follows a moving probe and keeps its separated pose. Each separated pose is reached from the one
-/// before along a path swept free, on which √σ to the new device pose falls, but for a quarter of
-/// the allowed clearance at most, where the probe regains gaps. So the probe never pops through,
-/// and the pose may be further away than the nearest pose that separate() finds. Only one thread at
-/// a time may use a follower.
+/// before along a path swept free, on which √σ to the new device pose decreases; it may rise by at
+/// most a quarter of the allowed clearance, where the probe regains its gaps. So the probe never
+/// pops through, and the pose may be further away than the nearest one, which separate() finds.
+/// Only one thread at a time may use a follower.
 class Follower {
  public:
   /// A follower of this pair, which it shares, not started yet. Allocates.

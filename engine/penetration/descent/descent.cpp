@@ -229,6 +229,7 @@ class Descent::Run {
         goal_(goal),
         deadline_(deadline),
         effort_(effort),
+        start_(start),
         y_(start) {
     const double radius = chart.mass().radius;
     pace_.scale = expected_step > 0 ? expected_step : descent_tuning.first_scale * radius;
@@ -353,6 +354,8 @@ class Descent::Run {
     y_ = swept.hit ? Vec6(y_ + swept.free_until * step) : target;
     pace_.learn(step, swept, descent_tuning.nowhere * std::max(margin_, 1e-3 * wanted_),
                 chart_.mass().radius);
+    if (goal_.far > 0 && !effort_.is_limited() && (y_ - start_).norm() > goal_.far)
+      effort_ = {goal_.work_when_far, 0};
     return true;
   }
 
@@ -371,6 +374,7 @@ class Descent::Run {
   const DescentGoal& goal_;
   const Deadline& deadline_;
   Effort& effort_;
+  const Vec6 start_;
   Vec6 y_;  // the current pose: free
   Pace pace_{};
   double margin_ = 0;      // m: the gap aimed at, at y_

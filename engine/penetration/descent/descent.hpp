@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "engine/base/deadline.hpp"
@@ -18,6 +19,10 @@ double allowed_clearance(double radius, double depth);
 struct DescentGoal {
   double residual = 1e-4;  ///< |y − Jᵀλ| / |y|
   int steps = 60;          ///< maximum number of iterations
+  /// m: a run whose effort has no limit gets one, `work_when_far`, when it has come this far from
+  /// its start. 0: it has none however far it goes.
+  double far = 0;
+  std::int64_t work_when_far = 0;  ///< in units of Effort, from there on
   double held_slope = 0;  ///< m: a path down a slope of ½|y|² up to this is not `fallen` (Outcome)
 };
 

@@ -38,8 +38,11 @@ constexpr double bend_of_metric = 1.1;
 /// release this much of σ. (A peg pressed onto the bottom of its hole: without it three more ticks
 /// jump, which do not at a quarter of the step; its real falls remain at every step.)
 constexpr double bend_of_force = 0.1;
-/// Units of Effort, some 10 ns each: limit of a tick after such a jump if nothing else limits it.
-/// The long path that is then swept can pass all of the bodies.
+/// Units of Effort, some 10 ns each: limit of a tick after such a jump, and of the rest of a tick
+/// in which the probe itself has come as far (a fall), if nothing else limits it. The long path
+/// that is then swept can pass all of the bodies (falls of a nut that was jammed took seconds). The
+/// tick says that it has not converged and that a limit acted; the next ones continue, with the
+/// same limit.
 constexpr std::int64_t work_after_jump = 3'000'000;
 
 }  // namespace
@@ -240,7 +243,13 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
     DescentGoal goal;
     if (budget.steps > 0) goal.steps = budget.steps;
     goal.held_slope = bend_of_metric * (moved + s.lag);
+    goal.far = jump_of_device * s.probe.mass.radius;
+    goal.work_when_far = work_after_jump;
+    const bool was_limited = effort.is_limited();
     found = s.descent.run(chart, y, goal, std::max(moved, 1e-9 * s.probe.mass.radius), effort);
+    const bool fell_too_far = !was_limited && effort.is_limited() && !found.converged;
+    s.behind = s.behind || fell_too_far;
+    found.limited += fell_too_far;
     s.descent.prepare_next_list(effort);
   } else {
     found.move_to(from);

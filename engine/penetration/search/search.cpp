@@ -28,10 +28,10 @@ Search::Search(const Pair& pair, const Pose& device, const StaticOptions& option
       starts_(pair, chart_, budget_.searching(), tuning),
       verified_(pair, chart_, options.time_phases ? &times_ : nullptr),
       threads_(options.two_threads && !budget_.is_short()),
-      sketches_(chart_, sketch_goal(options.method), starts_.sketched(), threads_, tuning),
+      sketches_(chart_, sketch_goal(options.method), starts_.sketch_descents(), threads_, tuning),
       optima_(tuning.same),
       evidence_(chart_, {options.agreement, options.by_evidence, tuning}, optima_, sketches_,
-                starts_.sketched()) {
+                starts_.sketch_descents()) {
   if (options.time_phases) starts_.time_phases();
 }
 
@@ -40,7 +40,7 @@ Separation Search::run() {
   first_starts();
   if (optima_.empty()) beyond_ends();
   more_sketches();
-  if (sketched() && !is_over() && evidence_.may_be_narrow()) pushed_starts();
+  if (has_sketches() && !is_over() && evidence_.may_be_narrow()) pushed_starts();
   if (!rotates() && !evidence_.settles()) starts_outside(per_round);
   if (rotates() && (optima_.empty() || budget_.counts_steps())) translation_on_the_way();
   if (optima_.empty()) return failed(chart_.device(), "no free pose was found");
@@ -101,7 +101,7 @@ void Search::first_sketches() {
 }
 
 void Search::first_sketched_start() {
-  if (!sketched()) return;
+  if (!has_sketches()) return;
   first_sketches();
   from_ends(sketches_, options_.method, 1);
 }
@@ -112,12 +112,12 @@ void Search::begin() {
   } else if (rotates() && budget_.counts_steps()) {
     first_sketched_start();
     first_translation();
-  } else if (rotates() && budget_.is_timed() && !sketched()) {
+  } else if (rotates() && budget_.is_timed() && !has_sketches()) {
     // The first push may end far out; spending more time on it would then give a worse answer than
     // the translation that a shorter budget yields.
     first_translation();
     turn_from_translation();
-  } else if (budget_.is_timed() && !sketched()) {
+  } else if (budget_.is_timed() && !has_sketches()) {
     // A translation: in 1 ms, 206 to 208 poses of depths.csv are within 5 % of the reference, and
     // 199 to 202 if the device pose is pushed apart first.
     starts_outside(1);
@@ -125,7 +125,7 @@ void Search::begin() {
 }
 
 void Search::first_starts() {
-  if (sketched()) {
+  if (has_sketches()) {
     first_sketches();
     from_ends(sketches_, options_.method,
               rotates() && sketches_.is_clear(tuned_.clear) ? tuned_.ends_where_clear
@@ -136,18 +136,20 @@ void Search::first_starts() {
 }
 
 void Search::push_device_pose(Method method) {
-  round([&](std::size_t,
-            std::size_t lane) { return starts_.pushed(Vec6::Zero(), aim(method), lane); },
-        1);
+  round(
+      [&](std::size_t, std::size_t lane) {
+        return starts_.push_apart_and_descend(Vec6::Zero(), aim(method), lane);
+      },
+      1);
 }
 
 void Search::near_starts(Method method) {
   const int tries =
       budget_.refining().microseconds > 0 ? tuned_.near_tries_timed : tuned_.near_tries;
   for (std::size_t lane = 0; lane < 2; ++lane)
-    starts_.lane(lane).near = tuned_.smallest_ball * probe_.mass.radius;
+    starts_.lane(lane).smallest_free_radius = tuned_.smallest_ball * probe_.mass.radius;
   round([&](std::size_t k, std::size_t lane) {
-    return starts_.near(stream(2000 + k), tries, aim(method), lane);
+    return starts_.descend_from_nearest_free(stream(2000 + k), tries, aim(method), lane);
   });
 }
 
@@ -157,7 +159,7 @@ void Search::pushed_starts() {
         Random random = stream(2500 + k);
         const double radius = random.uniform(tuned_.nearest_push, tuned_.farthest_push) *
                               std::min(optima_.best(), probe_.mass.radius);
-        return starts_.pushed_within(radius, random, aim(options_.method), lane);
+        return starts_.push_apart_within(radius, random, aim(options_.method), lane);
       },
       rotates() ? tuned_.pushes : tuned_.pushes / 2);
 }
@@ -174,7 +176,7 @@ void Search::from_ends(SketchSearch& sketches, Method method, std::size_t most) 
     round(
         [&](std::size_t k, std::size_t lane) {
           SketchEnd& end = *next[first + k];
-          LocalOptimum out = starts_.sketched(end, aim(method), lane);
+          LocalOptimum out = starts_.descend_from_sketch_end(end, aim(method), lane);
           out.starts = 0;  // already counted by the sketches
           end.came_to = out.depth;
           return out;
@@ -186,7 +188,7 @@ void Search::from_ends(SketchSearch& sketches, Method method, std::size_t most) 
 void Search::beyond_ends() {
   if (!budget_.searching().passed()) return;
   for (const SketchEnd& end : sketches_.ends()) {
-    add(starts_.beyond(end, aim(options_.method), 0));
+    add(starts_.descend_beyond_sketch_end(end, aim(options_.method), 0));
     if (!optima_.empty()) return;
   }
 }
@@ -196,7 +198,7 @@ void Search::starts_outside(std::size_t most) {
       [&](std::size_t k, std::size_t lane) {
         Aim at = aim(options_.method);
         at.method = Method::pdt;
-        return starts_.outside(k, at, lane);
+        return starts_.descend_from_outside(k, at, lane);
       },
       most);
 }
@@ -224,8 +226,9 @@ void Search::turn_from_translation() {
 
 void Search::first_translations() {
   push_device_pose(Method::pdt);
-  if (!sketched()) return near_starts(Method::pdt);
-  SketchSearch sketches(chart_, sketch_goal(Method::pdt), starts_.sketched(), threads_, tuned_);
+  if (!has_sketches()) return near_starts(Method::pdt);
+  SketchSearch sketches(chart_, sketch_goal(Method::pdt), starts_.sketch_descents(), threads_,
+                        tuned_);
   sketches.make_starts(tuned_.sketches_of_translations, tuned_.sketches_of_translations, 0);
   other_sketches_ += sketches.made();
   from_ends(sketches, Method::pdt, evidence_.settles() ? 1 : 2);
@@ -255,7 +258,7 @@ Random Search::stream(std::uint64_t number) const {
 }
 
 void Search::more_sketches() {
-  if (!sketched() || optima_.empty()) return;
+  if (!has_sketches() || optima_.empty()) return;
   for (int made = std::max(1, 2 * sketches_.made()); made <= tuned_.most_sketches && goes_on();
        made *= 2) {
     sketches_.make_starts(made, made, 0);
@@ -264,7 +267,7 @@ void Search::more_sketches() {
 }
 
 void Search::random_rounds() {
-  const bool few = sketched() && options_.by_evidence;
+  const bool few = has_sketches() && options_.by_evidence;
   const int most = few ? std::min(tuned_.most_after_sketches, options_.starts) : options_.starts;
   int start = 0;
   for (; start < most && goes_on(); start += int{per_round}) random_starts(start);
@@ -289,8 +292,8 @@ void Search::pushed_rounds() {
           random.uniform(tuned_.nearest_overlap, tuned_.farthest_overlap) * optima_.best();
       if (k % 2 == 0)
         if (const auto y = starts_.along_axes(random, tuned_.farthest_overlap * optima_.best()))
-          return starts_.pushed(*y, aim(options_.method), lane);
-      return starts_.pushed_within(radius, random, aim(options_.method), lane);
+          return starts_.push_apart_and_descend(*y, aim(options_.method), lane);
+      return starts_.push_apart_within(radius, random, aim(options_.method), lane);
     });
     if (optima_.best() < (1 - tuned_.same) * before)
       most = std::max(most, std::min(2 * (start + int{per_round}), limit));
@@ -303,7 +306,7 @@ void Search::random_starts(int first) {
   const std::size_t turn = static_cast<std::size_t>(first) / per_round;
   round([&](std::size_t k, std::size_t lane) {
     Random random = stream(static_cast<std::uint64_t>(first) + k);
-    return starts_.random(turn, k, ends, random, aim(options_.method), lane);
+    return starts_.descend_in_round(turn, k, ends, random, aim(options_.method), lane);
   });
 }
 

@@ -52,7 +52,7 @@ class Search {
  private:
   using Round = std::array<LocalOptimum, per_round>;
   bool rotates() const { return options_.method == Method::pdg; }
-  bool sketched() const { return !starts_.sketched().empty(); }
+  bool has_sketches() const { return !starts_.sketch_descents().empty(); }
 
   SketchGoal sketch_goal(Method method) const;
   Aim aim(Method method) const;

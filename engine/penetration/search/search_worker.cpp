@@ -7,7 +7,7 @@
 namespace sonde {
 
 SearchWorker::SearchWorker(const Body& probe, const Body& fixed, const SearchTuning& tuning)
-    : near(tuning.smallest_ball * probe.mass.radius),
+    : smallest_free_radius(tuning.smallest_ball * probe.mass.radius),
       probe_(probe),
       fixed_(fixed),
       tuned_(tuning),

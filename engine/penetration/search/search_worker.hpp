@@ -43,7 +43,7 @@ class SearchWorker {
                                   double radius, int tries, Method method, const Deadline& before,
                                   SketchDescent* sketches = nullptr);
 
-  double near;  ///< m: smaller balls had no free pose
+  double smallest_free_radius;  ///< m: smaller balls had no free pose
   double smallest_ball() const { return tuned_.smallest_ball * probe_.mass.radius; }
 
  private:

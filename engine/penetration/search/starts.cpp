@@ -28,7 +28,7 @@ Starts::Starts(const Pair& pair, const Chart& chart, const Deadline& before,
   const Sketches& sketches = pair.sketches();
   if (!sketches) return;
   for (std::size_t k = 0; k < lanes_.size(); ++k)
-    sketched_.emplace_back(*sketches.probe, *sketches.fixed, fixed_.mass);
+    sketch_descents_.emplace_back(*sketches.probe, *sketches.fixed, fixed_.mass);
 }
 
 int Starts::limited() const {
@@ -40,7 +40,7 @@ int Starts::limited() const {
 void Starts::time_phases() noexcept {
   for (std::size_t k = 0; k < lanes_.size(); ++k) {
     lanes_[k].time_into(&times_[k]);
-    if (!sketched_.empty()) sketched_[k].time_into(&times_[k]);
+    if (!sketch_descents_.empty()) sketch_descents_[k].time_into(&times_[k]);
   }
 }
 
@@ -52,26 +52,29 @@ PhaseTimes Starts::phases() const {
 std::optional<Vec6> Starts::free_sample(Random& random, const Vec6& center, double radius,
                                         int tries, Method method, std::size_t lane) {
   return lanes_[lane].free_sample(chart_, random, center, radius, tries, method, before_,
-                                  sketched_.empty() ? nullptr : &sketched_[lane]);
+                                  sketch_descents_.empty() ? nullptr : &sketch_descents_[lane]);
 }
 
-LocalOptimum Starts::near(Random random, int tries, const Aim& aim, std::size_t lane) {
+LocalOptimum Starts::descend_from_nearest_free(Random random, int tries, const Aim& aim,
+                                               std::size_t lane) {
   SearchWorker& in = lanes_[lane];
-  for (double radius = in.near; radius < tuned_.largest_ball * probe_.mass.radius;
+  for (double radius = in.smallest_free_radius; radius < tuned_.largest_ball * probe_.mass.radius;
        radius *= tuned_.near_growth)
     if (const auto y = free_sample(random, Vec6::Zero(), radius, tries, aim.method, lane)) {
-      in.near = std::max(in.smallest_ball(), tuned_.near_again * y->norm());
+      in.smallest_free_radius = std::max(in.smallest_ball(), tuned_.near_again * y->norm());
       return in.descend(chart_, *y, aim.method, limits(aim, y->norm()));
     }
   return {};
 }
 
-LocalOptimum Starts::sketched(const SketchEnd& end, const Aim& aim, std::size_t lane) {
+LocalOptimum Starts::descend_from_sketch_end(const SketchEnd& end, const Aim& aim,
+                                             std::size_t lane) {
   const auto y = freed(end.y, aim.method, lane);
   return y ? lanes_[lane].descend_exactly(chart_, *y, aim.method, limits(aim)) : LocalOptimum{};
 }
 
-LocalOptimum Starts::beyond(const SketchEnd& end, const Aim& aim, std::size_t lane) {
+LocalOptimum Starts::descend_beyond_sketch_end(const SketchEnd& end, const Aim& aim,
+                                               std::size_t lane) {
   const auto y = first_free_beyond(end.y, aim.method, lane);
   return y ? lanes_[lane].descend_exactly(chart_, *y, aim.method, limits(aim)) : LocalOptimum{};
 }
@@ -88,7 +91,7 @@ std::optional<Vec6> Starts::first_free_beyond(const Vec6& end, Method method,
 /// A free pose near an end on the sketches: found by moving the sketches further apart, or by
 /// pushing the bodies apart.
 std::optional<Vec6> Starts::freed(const Vec6& end, Method method, std::size_t lane) {
-  SketchDescent& sketches = sketched_[lane];
+  SketchDescent& sketches = sketch_descents_[lane];
   Vec6 y = end;
   for (const double apart : tuned_.apart) {
     if (apart > 0)
@@ -107,7 +110,7 @@ std::optional<Vec6> Starts::freed(const Vec6& end, Method method, std::size_t la
                                         before_);
 }
 
-LocalOptimum Starts::pushed(const Vec6& y, const Aim& aim, std::size_t lane) {
+LocalOptimum Starts::push_apart_and_descend(const Vec6& y, const Aim& aim, std::size_t lane) {
   const auto free =
       lanes_[lane].push(aim.method).from(chart_, y, tuned_.given_up_at * aim.beat, before_);
   LocalOptimum out;
@@ -117,9 +120,9 @@ LocalOptimum Starts::pushed(const Vec6& y, const Aim& aim, std::size_t lane) {
   return out;
 }
 
-LocalOptimum Starts::pushed_within(double radius, Random& random, const Aim& aim,
-                                   std::size_t lane) {
-  return pushed(lanes_[lane].sample(random, radius, aim.method), aim, lane);
+LocalOptimum Starts::push_apart_within(double radius, Random& random, const Aim& aim,
+                                       std::size_t lane) {
+  return push_apart_and_descend(lanes_[lane].sample(random, radius, aim.method), aim, lane);
 }
 
 std::optional<Vec6> Starts::along_axes(Random& random, double farthest) const {
@@ -140,7 +143,8 @@ std::optional<Vec6> Starts::along_axes(Random& random, double farthest) const {
   return std::nullopt;
 }
 
-LocalOptimum Starts::far(double width, Random random, const Aim& aim, std::size_t lane) {
+LocalOptimum Starts::descend_from_ball(double width, Random random, const Aim& aim,
+                                       std::size_t lane) {
   std::optional<Vec6> y;
   for (double grown = 1; !y && grown < tuned_.largest_ball && !before_.passed();
        grown *= tuned_.far_growth)
@@ -149,7 +153,8 @@ LocalOptimum Starts::far(double width, Random random, const Aim& aim, std::size_
   return y ? lanes_[lane].descend(chart_, *y, aim.method, limits(aim)) : LocalOptimum{};
 }
 
-LocalOptimum Starts::about(const Vec6& end, Random random, const Aim& aim, std::size_t lane) {
+LocalOptimum Starts::descend_near_end(const Vec6& end, Random random, const Aim& aim,
+                                      std::size_t lane) {
   const double part = random.uniform(0, 1),
                radius = aim.beat * (tuned_.about_nearest + tuned_.about_wider * part * part);
   const auto y = free_sample(random, end, radius, tuned_.tries_in_a_ball, aim.method, lane);
@@ -158,10 +163,12 @@ LocalOptimum Starts::about(const Vec6& end, Random random, const Aim& aim, std::
   return out;
 }
 
-LocalOptimum Starts::random(std::size_t turn, std::size_t k, const std::vector<Vec6>& ends,
-                            Random random, const Aim& aim, std::size_t lane) {
+LocalOptimum Starts::descend_in_round(std::size_t turn, std::size_t k,
+                                      const std::vector<Vec6>& ends, Random random, const Aim& aim,
+                                      std::size_t lane) {
   if (k >= far_starts)
-    return about(ends[(turn * (per_round - far_starts) + k) % ends.size()], random, aim, lane);
+    return descend_near_end(ends[(turn * (per_round - far_starts) + k) % ends.size()], random, aim,
+                            lane);
   if (probe_.solid && fixed_.solid && turn % 2 == 0) {
     const double radius =
         random.uniform(tuned_.nearest_overlap, tuned_.farthest_overlap) * aim.beat;
@@ -169,10 +176,10 @@ LocalOptimum Starts::random(std::size_t turn, std::size_t k, const std::vector<V
     out.starts = 1;
     return out;
   }
-  return far(tuned_.far_widths[k], random, aim, lane);
+  return descend_from_ball(tuned_.far_widths[k], random, aim, lane);
 }
 
-LocalOptimum Starts::outside(std::size_t k, const Aim& aim, std::size_t lane) {
+LocalOptimum Starts::descend_from_outside(std::size_t k, const Aim& aim, std::size_t lane) {
   const Vec3 center = (fixed_.tree.low + fixed_.tree.high) / 2;
   const Vec3 offset = chart_.com() - center;
   const double half = (fixed_.tree.high - center).norm();

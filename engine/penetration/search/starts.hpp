@@ -29,8 +29,8 @@ class Starts {
 
   SearchWorker& lane(std::size_t k) { return lanes_[k]; }
   /// One for each lane; empty if the pair has no sketches.
-  std::vector<SketchDescent>& sketched() { return sketched_; }
-  const std::vector<SketchDescent>& sketched() const { return sketched_; }
+  std::vector<SketchDescent>& sketch_descents() { return sketch_descents_; }
+  const std::vector<SketchDescent>& sketch_descents() const { return sketch_descents_; }
   int limited() const;
   /// From now on the lanes record their phase times.
   void time_phases() noexcept;
@@ -38,36 +38,37 @@ class Starts {
 
   /// Descends from the nearest free pose, found among random poses in growing balls, `tries` in
   /// each. This finds a way out close by, even in a tangle that no start from outside enters.
-  LocalOptimum near(Random random, int tries, const Aim& aim, std::size_t lane);
+  LocalOptimum descend_from_nearest_free(Random random, int tries, const Aim& aim,
+                                         std::size_t lane);
   /// Descends from a pose at which the sketches are apart, or from a free pose near it.
-  LocalOptimum sketched(const SketchEnd& end, const Aim& aim, std::size_t lane);
+  LocalOptimum descend_from_sketch_end(const SketchEnd& end, const Aim& aim, std::size_t lane);
   /// The same without a search for a nearer pose: from the first free pose straight beyond that
   /// end. For a search whose time is over.
-  LocalOptimum beyond(const SketchEnd& end, const Aim& aim, std::size_t lane);
+  LocalOptimum descend_beyond_sketch_end(const SketchEnd& end, const Aim& aim, std::size_t lane);
   /// Pushes the overlap at y apart by its intersecting triangles, and descends from there.
-  LocalOptimum pushed(const Vec6& y, const Aim& aim, std::size_t lane);
-  /// As pushed(), from a random overlap within `radius`, m.
-  LocalOptimum pushed_within(double radius, Random& random, const Aim& aim, std::size_t lane);
+  LocalOptimum push_apart_and_descend(const Vec6& y, const Aim& aim, std::size_t lane);
+  /// As push_apart_and_descend(), from a random overlap within `radius`, m.
+  LocalOptimum push_apart_within(double radius, Random& random, const Aim& aim, std::size_t lane);
   /// y of an overlap in which a principal axis of the probe lies along one of the fixed body, and
   /// both centres of mass on one line along it. The spin about the axis and the position along it
   /// are random. Within `farthest`, m; no value if such poses are rare.
   std::optional<Vec6> along_axes(Random& random, double farthest) const;
   /// Descends from a random free pose in a ball of `width` times the best depth, or in a larger
   /// one.
-  LocalOptimum far(double width, Random random, const Aim& aim, std::size_t lane);
+  LocalOptimum descend_from_ball(double width, Random random, const Aim& aim, std::size_t lane);
   /// Descends from a random free pose near an end: if there are many ends, the better ones lie
   /// together.
-  LocalOptimum about(const Vec6& end, Random random, const Aim& aim, std::size_t lane);
+  LocalOptimum descend_near_end(const Vec6& end, Random random, const Aim& aim, std::size_t lane);
   /// The k-th start of a round of random starts. Most start near the best ends, because where there
   /// are many, the better ones lie together. Others start from a random free pose of a ball
   /// somewhat larger than the best depth so far. If both bodies are solid, every other turn starts
   /// these from an overlap instead.
   static constexpr std::size_t per_round = 8;
-  LocalOptimum random(std::size_t turn, std::size_t k, const std::vector<Vec6>& ends, Random random,
-                      const Aim& aim, std::size_t lane);
+  LocalOptimum descend_in_round(std::size_t turn, std::size_t k, const std::vector<Vec6>& ends,
+                                Random random, const Aim& aim, std::size_t lane);
   /// Moves from outside into contact by translation, along the line of the centres (k 0 and 1) and
   /// along the fixed body's axes (up to 7), and descends. This always finds a free pose.
-  LocalOptimum outside(std::size_t k, const Aim& aim, std::size_t lane);
+  LocalOptimum descend_from_outside(std::size_t k, const Aim& aim, std::size_t lane);
 
  private:
   SearchWorker::Limits limits(const Aim& aim, double beat) const {
@@ -86,7 +87,7 @@ class Starts {
   const SearchTuning& tuned_;
   std::array<PhaseTimes, 2> times_;  // of each lane
   std::array<SearchWorker, 2> lanes_;
-  std::vector<SketchDescent> sketched_;
+  std::vector<SketchDescent> sketch_descents_;
 };
 
 }  // namespace sonde

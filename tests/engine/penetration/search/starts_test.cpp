@@ -35,34 +35,37 @@ constexpr double nothing_found = std::numeric_limits<double>::infinity();
 TEST_F(StartsTest, ends_are_free_and_starts_at_contact_come_out_by_the_nearest_face) {
   for (const Method method : {Method::pdg, Method::pdt})
     for (std::size_t lane = 0; lane < 2; ++lane) {
-      const LocalOptimum pushed = starts.pushed(Vec6::Zero(), aim(method, nothing_found), lane);
+      const LocalOptimum pushed =
+          starts.push_apart_and_descend(Vec6::Zero(), aim(method, nothing_found), lane);
       check(pushed, method);
       EXPECT_LT(pushed.depth, 0.0102);
       EXPECT_EQ(pushed.starts, 0) << "it began at the device pose";
-      check(starts.near(Random(1), 12, aim(method, nothing_found), lane), method);
-      check(starts.far(3, Random(2), aim(method, 0.1), lane), method);
-      check(starts.about(pushed.y, Random(3), aim(method, pushed.depth), lane), method);
-      check(starts.outside(lane, aim(Method::pdt, nothing_found), lane), Method::pdt);
+      check(starts.descend_from_nearest_free(Random(1), 12, aim(method, nothing_found), lane),
+            method);
+      check(starts.descend_from_ball(3, Random(2), aim(method, 0.1), lane), method);
+      check(starts.descend_near_end(pushed.y, Random(3), aim(method, pushed.depth), lane), method);
+      check(starts.descend_from_outside(lane, aim(Method::pdt, nothing_found), lane), Method::pdt);
     }
 }
 
 TEST_F(StartsTest, an_end_on_sketches_that_is_not_free_is_freed) {
-  ASSERT_EQ(starts.sketched().size(), 2U);
+  ASSERT_EQ(starts.sketch_descents().size(), 2U);
   for (const double short_of_it : {0.0, 0.3, 0.9}) {
     SketchEnd end;
     end.y = Vec6::Zero();
     end.y[5] = 0.0101 * (1 - short_of_it);
-    check(starts.sketched(end, aim(Method::pdg, nothing_found), 0), Method::pdg);
+    check(starts.descend_from_sketch_end(end, aim(Method::pdg, nothing_found), 0), Method::pdg);
   }
 }
 
 TEST_F(StartsTest, what_is_known_is_not_descended_again) {
-  const LocalOptimum first = starts.pushed(Vec6::Zero(), aim(Method::pdg, nothing_found), 0);
+  const LocalOptimum first =
+      starts.push_apart_and_descend(Vec6::Zero(), aim(Method::pdg, nothing_found), 0);
   LocalOptima known;
   known.add(first);
   Aim again = aim(Method::pdg, first.depth);
   again.known = &known;
-  EXPECT_FALSE(std::isfinite(starts.pushed(Vec6::Zero(), again, 0).depth));
+  EXPECT_FALSE(std::isfinite(starts.push_apart_and_descend(Vec6::Zero(), again, 0).depth));
 }
 
 TEST(Starts, surfaces_have_no_sketches) {
@@ -70,7 +73,7 @@ TEST(Starts, surfaces_have_no_sketches) {
   const auto soup = test::body(test::random_soup(random, 12, 0.1));
   const Pair pair(soup, soup);
   const Chart chart(soup->mass, {});
-  EXPECT_TRUE(Starts(pair, chart, {}).sketched().empty());
+  EXPECT_TRUE(Starts(pair, chart, {}).sketch_descents().empty());
 }
 
 }  // namespace
