@@ -172,7 +172,7 @@ LocalOptimum Starts::descend_in_round(std::size_t turn, std::size_t k,
   if (probe_.solid && fixed_.solid && turn % 2 == 0) {
     const double radius =
         random.uniform(tuned_.nearest_overlap, tuned_.farthest_overlap) * aim.beat;
-    LocalOptimum out = pushed_within(radius, random, aim, lane);
+    LocalOptimum out = push_apart_within(radius, random, aim, lane);
     out.starts = 1;
     return out;
   }
