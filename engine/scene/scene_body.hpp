@@ -23,7 +23,8 @@ struct SceneBody {
   /// zero its `allowance`. A scene file has them of the probe alone.
   double offset = 0;
   std::size_t mesh_line = 0;  ///< where the scene's file, as it was read, names the mesh
-  std::string name = {};      ///< of a part; empty: the mesh file's
+  std::filesystem::path scene_file = {};  ///< that file; of a part its body's
+  std::string name = {};                  ///< of a part; empty: the mesh file's
   /// What the body is made of where that is several meshes that stand together, each at its pose in
   /// this body's mesh frame, which is the world's when the scene is read. Then `mesh` is that of
   /// the first, and `model` says nothing.
@@ -62,6 +63,11 @@ std::shared_ptr<const Body> load(const SceneBody& body, double unit, const Progr
 /// InputError where its mesh has not so many components.
 BodyPart load_part(const SceneBody& whole, std::size_t part, double unit, ComponentFiles& files,
                    const Progress& progress = {});
+/// The parts with these numbers as load_part has them, on all threads; the others are without a
+/// body. Those that are alike (a screw, many times) are one body. Throws as load_part does for the
+/// first of them that is wrong.
+std::vector<BodyPart> load_parts(const SceneBody& whole, const std::vector<std::size_t>& wanted,
+                                 double unit, ComponentFiles& files, const Progress& progress = {});
 /// The body that its felt parts make together, with its offset. `parts`: each of `whole.parts` as
 /// load_part has it; those that are not felt may be without a body. Throws as load, and InputError
 /// where none is felt.
