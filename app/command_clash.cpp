@@ -74,6 +74,7 @@ void add_parts(std::vector<Placed>& out, const SceneBody& whole, double unit,
     part.scale *= body.scale;
     part.pose.p *= body.scale;
     part.pose = body.pose * part.pose;
+    part.scene_file = body.scene_file;
     out.push_back({part, unit});
   }
 }
@@ -117,6 +118,7 @@ class Loader {
   std::shared_ptr<const Body> read(const Placed& part) {
     if (part.body.component == 0) return load(part.body, part.unit);
     SceneBody whole;
+    whole.scene_file = part.body.scene_file;
     whole.parts = {part.body};
     return load_part(whole, 0, part.unit, files_).body;
   }

@@ -21,23 +21,83 @@ using Corner = std::array<std::int64_t, 2>;
 /// Corners may lie far outside the raster: products of two coordinates need twice their bits.
 __extension__ using Wide = __int128;
 constexpr double farthest = 0x1p60;
+/// Up to here from the origin, all of a raster and what is by it, 64 bits hold twice an area.
+constexpr std::int64_t near_enough = std::int64_t{1} << 30;
 
-Wide turn(const Corner& a, const Corner& b, std::int64_t x, std::int64_t y) {
-  return Wide{b[0] - a[0]} * (y - a[1]) - Wide{b[1] - a[1]} * (x - a[0]);
+template <class Area>
+Area turn(const Corner& a, const Corner& b, std::int64_t x, std::int64_t y) {
+  return Area{b[0] - a[0]} * (y - a[1]) - Area{b[1] - a[1]} * (x - a[0]);
 }
 
-/// Left of the edge, or on it if this triangle, and not its neighbour, owns the edge.
-bool within(const Corner& a, const Corner& b, std::int64_t x, std::int64_t y) {
-  const Wide side = turn(a, b, x, y);
-  const bool owns = b[1] < a[1] || (b[1] == a[1] && b[0] > a[0]);
-  return owns ? side >= 0 : side > 0;
-}
+/// On which side of an edge the lines of a row of pixels are, one after another.
+template <class Area>
+class Side {
+ public:
+  Side(const Corner& a, const Corner& b, std::int64_t x, std::int64_t y)
+      : begin_(turn<Area>(a, b, x, y)),
+        right_(-(Area{b[1] - a[1]} << bits)),
+        up_(Area{b[0] - a[0]} << bits) {
+    // A line on the edge is within where the edge is this triangle's and not its neighbour's.
+    if (b[1] < a[1] || (b[1] == a[1] && b[0] > a[0])) begin_ += 1;
+    now_ = begin_;
+  }
+  bool left() const { return now_ > 0; }
+  void next_pixel() { now_ += right_; }
+  void next_row() { now_ = begin_ += up_; }
+
+ private:
+  Area begin_, right_, up_, now_;
+};
 
 /// First and last pixel whose line may lie between two coordinates.
 std::pair<std::int64_t, std::int64_t> pixels(std::int64_t low, std::int64_t high, int count) {
   const auto floor_pixel = [](std::int64_t v) { return (v - offset) >> bits; };
   return {std::max<std::int64_t>(0, floor_pixel(low + one - 1)),
           std::min<std::int64_t>(count - 1, floor_pixel(high))};
+}
+
+/// A hit, and the line it is of.
+struct Found {
+  std::uint32_t line;
+  LineHit hit;
+};
+
+/// In the order of the triangles. Area: of the numbers that hold products of coordinates.
+template <class Area>
+std::vector<Found> hits_of(const Soup& soup, const std::vector<Corner>& across,
+                           const std::vector<double>& along, int count) {
+  std::vector<Found> found;
+  found.reserve(2 * static_cast<std::size_t>(count) * static_cast<std::size_t>(count));
+  for (std::uint32_t i = 0; i < soup.triangles.size(); ++i) {
+    const Triangle& t = soup.triangles[i];
+    const Corner &a = across[t[0]], &b = across[t[1]], &c = across[t[2]];
+    const auto [x0, x1] = pixels(std::min({a[0], b[0], c[0]}), std::max({a[0], b[0], c[0]}), count);
+    const auto [y0, y1] = pixels(std::min({a[1], b[1], c[1]}), std::max({a[1], b[1], c[1]}), count);
+    if (x0 > x1 || y0 > y1) continue;
+    const Area twice_area = turn<Area>(a, b, c[0], c[1]);
+    if (twice_area == 0) continue;
+    const int sign = twice_area > 0 ? 1 : -1;
+    const double all = static_cast<double>(twice_area);
+    const Corner &second = sign > 0 ? b : c, &third = sign > 0 ? c : b;
+    const std::int64_t left = (x0 << bits) + offset, low = (y0 << bits) + offset;
+    Side<Area> sides[3] = {
+        {a, second, left, low}, {second, third, left, low}, {third, a, left, low}};
+    for (std::int64_t j = y0; j <= y1; ++j) {
+      for (std::int64_t k = x0; k <= x1; ++k) {
+        if (sides[0].left() && sides[1].left() && sides[2].left()) {
+          const std::int64_t x = (k << bits) + offset, y = (j << bits) + offset;
+          const double by_b = static_cast<double>(turn<Area>(c, a, x, y)) / all;
+          const double by_c = static_cast<double>(turn<Area>(a, b, x, y)) / all;
+          const double at =
+              along[t[0]] + by_b * (along[t[1]] - along[t[0]]) + by_c * (along[t[2]] - along[t[0]]);
+          found.push_back({static_cast<std::uint32_t>(j * count + k), {at, i, sign}});
+        }
+        for (Side<Area>& side : sides) side.next_pixel();
+      }
+      for (Side<Area>& side : sides) side.next_row();
+    }
+  }
+  return found;
 }
 
 }  // namespace
@@ -72,51 +132,25 @@ Lines::Lines(const Soup& soup, const Eigen::Matrix3d& across_to, int count)
 void Lines::cast(const Soup& soup) {
   std::vector<Corner> across(soup.vertices.size());
   std::vector<double> along(soup.vertices.size());
+  bool near = true;
   for (std::size_t i = 0; i < across.size(); ++i) {
     const Vec3 x = across_to_ * soup.vertices[i];
-    for (Eigen::Index k = 0; k < 2; ++k)
-      across[i][static_cast<std::size_t>(k)] = std::llround(
+    for (Eigen::Index k = 0; k < 2; ++k) {
+      std::int64_t& corner = across[i][static_cast<std::size_t>(k)];
+      corner = std::llround(
           std::clamp((x[k] - low_[k]) / pixel_ * static_cast<double>(one), -farthest, farthest));
+      near = near && std::abs(corner) < near_enough;
+    }
     along[i] = x[2];
   }
+  const std::vector<Found> found = near ? hits_of<std::int64_t>(soup, across, along, count_)
+                                        : hits_of<Wide>(soup, across, along, count_);
   start_.assign(static_cast<std::size_t>(count_) * static_cast<std::size_t>(count_) + 1, 0);
-
-  const auto each_hit = [&](const auto& found) {
-    for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
-      const Triangle& t = soup.triangles[i];
-      Corner a = across[t[0]], b = across[t[1]], c = across[t[2]];
-      const auto [x0, x1] =
-          pixels(std::min({a[0], b[0], c[0]}), std::max({a[0], b[0], c[0]}), count_);
-      const auto [y0, y1] =
-          pixels(std::min({a[1], b[1], c[1]}), std::max({a[1], b[1], c[1]}), count_);
-      if (x0 > x1 || y0 > y1) continue;
-      const Wide twice_area = turn(a, b, c[0], c[1]);
-      if (twice_area == 0) continue;
-      const int sign = twice_area > 0 ? 1 : -1;
-      if (sign < 0) std::swap(b, c);
-      for (std::int64_t j = y0; j <= y1; ++j)
-        for (std::int64_t k = x0; k <= x1; ++k) {
-          const std::int64_t x = (k << bits) + offset, y = (j << bits) + offset;
-          if (within(a, b, x, y) && within(b, c, x, y) && within(c, a, x, y))
-            found(static_cast<std::size_t>(j * count_ + k), i, sign, x, y);
-        }
-    }
-  };
-  each_hit(
-      [&](std::size_t line, std::size_t, int, std::int64_t, std::int64_t) { ++start_[line + 1]; });
+  for (const Found& hit : found) ++start_[hit.line + 1];
   std::partial_sum(start_.begin(), start_.end(), start_.begin());
-  hits_.resize(start_.back());
+  hits_.resize(found.size());
   std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
-  each_hit([&](std::size_t line, std::size_t i, int sign, std::int64_t x, std::int64_t y) {
-    const Triangle& t = soup.triangles[i];
-    const Corner &a = across[t[0]], &b = across[t[1]], &c = across[t[2]];
-    const double all = static_cast<double>(turn(a, b, c[0], c[1]));
-    const double by_b = static_cast<double>(turn(c, a, x, y)) / all;
-    const double by_c = static_cast<double>(turn(a, b, x, y)) / all;
-    const double at =
-        along[t[0]] + by_b * (along[t[1]] - along[t[0]]) + by_c * (along[t[2]] - along[t[0]]);
-    hits_[next[line]++] = {at, static_cast<std::uint32_t>(i), sign};
-  });
+  for (const Found& hit : found) hits_[next[hit.line]++] = hit.hit;
   for (std::size_t line = 0; line < size(); ++line)
     ordering::sort(hits_.begin() + static_cast<std::ptrdiff_t>(start_[line]),
                    hits_.begin() + static_cast<std::ptrdiff_t>(start_[line + 1]),

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -18,12 +19,13 @@ inline constexpr std::size_t most_parts = 10'000;
 /// Keep it only while parts are loaded, since it holds the files' polygons.
 class ComponentFiles {
  public:
-  /// The components of a file, with its coordinates multiplied by `scale`. Throws as read_mesh
-  /// does, and InputError if there are too many.
+  /// The components of a file, its coordinates multiplied by that. Throws as read_mesh. May be
+  /// called by several threads at once.
   const std::vector<PolygonSoup>& of(const std::filesystem::path& mesh, double scale,
                                      const Progress& progress = {});
 
  private:
+  std::mutex reading_;
   std::map<std::pair<std::filesystem::path, double>, std::vector<PolygonSoup>> read_;
 };
 

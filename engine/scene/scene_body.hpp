@@ -22,11 +22,12 @@ struct SceneBody {
   /// m: outward offset of its faces, applied after loading: the scene's `safety`, or minus its
   /// `allowance`. A scene file has them for the probe only.
   double offset = 0;
-  std::size_t mesh_line = 0;  ///< line of the scene's file that names the mesh
-  std::string name = {};      ///< of a part; empty: the mesh file's name
-  /// If the body consists of several meshes: these, each at its pose in this body's mesh frame,
-  /// which is the world frame when the scene is read. Then `mesh` is that of the first part, and
-  /// `model` is unused.
+  std::size_t mesh_line = 0;  ///< where the scene's file, as it was read, names the mesh
+  std::filesystem::path scene_file = {};  ///< that file; of a part its body's
+  std::string name = {};                  ///< of a part; empty: the mesh file's
+  /// What the body is made of where that is several meshes that stand together, each at its pose in
+  /// this body's mesh frame, which is the world's when the scene is read. Then `mesh` is that of
+  /// the first, and `model` says nothing.
   std::vector<SceneBody> parts = {};
   // For a part only:
   std::string colour = {};  ///< in the window, "#e97d25"; empty: the window chooses
@@ -64,9 +65,14 @@ std::shared_ptr<const Body> load(const SceneBody& body, double unit, const Progr
 /// if its mesh does not have that many components.
 BodyPart load_part(const SceneBody& whole, std::size_t part, double unit, ComponentFiles& files,
                    const Progress& progress = {});
-/// The body that its felt parts form together, with its offset. `parts`: each of `whole.parts`,
-/// from load_part; those that are not felt may have no body. Throws as load does, and InputError if
-/// no part is felt.
+/// The parts with these numbers as load_part has them, on all threads; the others are without a
+/// body. Those that are alike (a screw, many times) are one body. Throws as load_part does for the
+/// first of them that is wrong.
+std::vector<BodyPart> load_parts(const SceneBody& whole, const std::vector<std::size_t>& wanted,
+                                 double unit, ComponentFiles& files, const Progress& progress = {});
+/// The body that its felt parts make together, with its offset. `parts`: each of `whole.parts` as
+/// load_part has it; those that are not felt may be without a body. Throws as load, and InputError
+/// where none is felt.
 std::shared_ptr<const Body> join(const SceneBody& whole, const std::vector<BodyPart>& parts,
                                  const Progress& progress = {});
 

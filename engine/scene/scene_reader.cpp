@@ -89,7 +89,11 @@ Pose SceneReader::pose(const JsonNode& node, double unit) const {
 }
 
 SceneBody SceneReader::body(const JsonNode& node, double unit) const {
-  if (node.kind != Kind::array) return mesh(node, unit, body_keys());
+  if (node.kind != Kind::array) {
+    SceneBody only = mesh(node, unit, body_keys());
+    only.scene_file = file;
+    return only;
+  }
   if (node.children.empty()) fail(node.line, in_quotes(node.key) + " has no parts");
   if (node.children.size() > most_parts)
     fail(node.line, in_quotes(node.key) + " has " + std::to_string(node.children.size()) +
@@ -107,6 +111,7 @@ SceneBody SceneReader::body(const JsonNode& node, double unit) const {
     fail(node.line, "no part of " + in_quotes(node.key) + " is felt");
   whole.mesh = whole.parts.front().mesh;
   whole.mesh_line = whole.parts.front().mesh_line;
+  whole.scene_file = file;
   return whole;
 }
 

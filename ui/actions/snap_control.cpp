@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/actions/snap_control.hpp"
 
+#include "engine/geometry/round_face.hpp"
 #include "ui/actions/document_control.hpp"
-#include "ui/document/round_face.hpp"
 #include "ui/document/session.hpp"
 #include "ui/panels/pose_panel.hpp"
 #include "ui/views/viewport.hpp"

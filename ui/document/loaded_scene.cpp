@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 #include "engine/base/progress.hpp"
@@ -136,23 +138,26 @@ FixedBody load_fixed(Scene& scene, const Scene& before, const std::vector<BodyPa
   const bool same_whole = scene.unit == before.unit && whole.scale == before.fixed.scale &&
                           whole.repair == before.fixed.repair &&
                           known.size() == before.fixed.parts.size();
+  const auto kind = [](const SceneBody& part) {
+    return std::tuple(part.mesh.native(), part.component, part.scale, part.model, part.repair);
+  };
+  std::map<decltype(kind(whole)), std::size_t> old;
+  for (std::size_t i = 0; same_whole && i < known.size(); ++i)
+    old.emplace(kind(before.fixed.parts[i]), i);
+  std::vector<std::size_t> wanted;
+  std::vector<std::optional<std::size_t>> kept(whole.parts.size());
+  for (std::size_t i = 0; i < whole.parts.size(); ++i)
+    if (const auto at = old.find(kind(whole.parts[i])); at != old.end())
+      kept[i] = at->second;
+    else
+      wanted.push_back(i);
   FixedBody out;
-  const auto n = static_cast<double>(whole.parts.size());
-  for (std::size_t i = 0; i < whole.parts.size(); ++i) {
+  out.parts = load_parts(whole, wanted, scene.unit, files, part_of(progress, 0.2, 0.6));
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (!kept[i]) continue;
     const SceneBody& part = whole.parts[i];
-    const auto old = std::ranges::find_if(before.fixed.parts, [&](const SceneBody& p) {
-      return same_whole && p.component == part.component && p.scale == part.scale &&
-             p.model == part.model && p.repair == part.repair && p.mesh == part.mesh;
-    });
-    if (old == before.fixed.parts.end()) {
-      const double done = 0.2 + 0.4 * static_cast<double>(i) / n;
-      out.parts.push_back(
-          load_part(whole, i, scene.unit, files, part_of(progress, done, done + 0.4 / n)));
-      continue;
-    }
-    const auto index = static_cast<std::size_t>(old - before.fixed.parts.begin());
     const Pose X_BP{part.pose.q, whole.scale * part.pose.p};
-    out.parts.push_back({part_name(part), known[index].body, X_BP});
+    out.parts[i] = {part_name(part), known[*kept[i]].body, X_BP};
   }
   out.body = join(whole, out.parts, part_of(progress, 0.6, 1));
   return out;

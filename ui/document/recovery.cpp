@@ -78,6 +78,8 @@ Recovered recovered_from(const fs::path& file) {
   } catch (const InputError& bad) {
     throw InputError::in(file.string(), bad.what());
   }
+  for (SceneBody* body : {&recovered.scene.probe, &recovered.scene.fixed})
+    body->scene_file.clear();  // which never was
   recovered.scene.file = string_of(json, "file");
   recovered.scene.name = string_of(json, "name");
   recovered.saved_text = string_of(json, "saved");

@@ -5,7 +5,9 @@
 
 #include <cstdio>
 #include <random>
+#include <set>
 
+#include "engine/base/error.hpp"
 #include "engine/queries/body_queries.hpp"
 #include "engine/queries/pair_queries.hpp"
 #include "engine/scene/scene.hpp"
@@ -156,7 +158,8 @@ TEST_F(SceneParts, parts_that_are_none_are_refused_with_the_line) {
   EXPECT_THAT(complaint(R"([{"name": "", "mesh": "box.off"}])"), HasSubstr("\"name\" is empty"));
   EXPECT_THAT(complaint(R"([{"mesh": "box.off", "model": "surface"},
                             {"mesh": "ring.off"}])"),
-              HasSubstr("cannot be a surface"));
+              HasSubstr("s.sonde.json:1: box.off is closed: as one of several parts it cannot be a "
+                        "surface"));
   EXPECT_THAT(complaint(R"({"name": "one", "mesh": "box.off"})"), HasSubstr("name"));
 }
 
@@ -222,7 +225,9 @@ TEST_F(SceneComponents, a_mesh_of_one_stays_whole) {
 
 TEST_F(SceneComponents, that_are_none_are_refused) {
   EXPECT_THAT(complaint(R"([{"mesh": "two.off", "component": 3}])"),
-              HasSubstr("two.off: has 2 components, not 3 as a part asks for"));
+              HasSubstr("s.sonde.json:1: two.off has 2 components, not 3 as a part asks for"));
+  EXPECT_THAT(complaint("[{\"mesh\": \"box.off\"},\n{\"mesh\": \"two.off\", \"component\": 3}]"),
+              HasSubstr("s.sonde.json:2: two.off has 2 components, not 3"));
   EXPECT_THAT(complaint(R"([{"mesh": "two.off", "component": 0}])"),
               HasSubstr("s.sonde.json:1: \"component\" is 0; it must be a whole number from 1"));
   EXPECT_THAT(complaint(R"([{"mesh": "two.off", "component": 1.5}])"), HasSubstr("whole number"));
@@ -230,7 +235,57 @@ TEST_F(SceneComponents, that_are_none_are_refused) {
               HasSubstr("at once"));
   EXPECT_THAT(complaint(R"([{"mesh": "two.off", "components": true},
                             {"mesh": "box.off", "name": "two.off:2"}])"),
-              HasSubstr("two parts are named \"two.off:2\""));
+              HasSubstr("s.sonde.json:2: box.off is a part named \"two.off:2\" as another is"));
+}
+
+// Reference: each part loaded alone.
+TEST_F(SceneComponents, that_are_alike_are_loaded_once_and_stand_each_at_its_place) {
+  const Scene read = scene(R"([{"mesh": "box.off"}, {"name": "b", "mesh": "ring.off"},
+    {"name": "c", "mesh": "box.off", "pose": [3, 0, 0, 1, 0, 0, 0], "colour": "#102030"},
+    {"name": "d", "mesh": "box.off", "scale": 2}, {"name": "e", "mesh": "box.off"},
+    {"mesh": "two.off", "component": 1}, {"mesh": "two.off", "component": 2}])");
+  ComponentFiles files;
+  const std::vector<std::size_t> wanted{6, 0, 1, 2, 3, 5};
+  const auto parts = load_parts(read.fixed, wanted, 1, files);
+  ASSERT_EQ(parts.size(), 7u);
+  EXPECT_FALSE(parts[4].body);
+  EXPECT_EQ(parts[0].body, parts[2].body);
+  EXPECT_EQ(std::set<const Body*>({parts[0].body.get(), parts[1].body.get(), parts[3].body.get(),
+                                   parts[5].body.get(), parts[6].body.get()})
+                .size(),
+            5u);
+  for (const std::size_t i : wanted) {
+    const BodyPart alone = load_part(read.fixed, i, 1, files);
+    EXPECT_EQ(parts[i].name, alone.name);
+    EXPECT_EQ(parts[i].X_BP.p, alone.X_BP.p);
+    EXPECT_EQ(parts[i].body->soup.triangles, alone.body->soup.triangles);
+    EXPECT_EQ(parts[i].body->mass.measure, alone.body->mass.measure);
+    EXPECT_EQ(parts[i].body->name, alone.body->name);
+  }
+}
+
+TEST_F(SceneComponents, of_several_that_are_wrong_the_first_is_told) {
+  std::string list = R"([{"mesh": "box.off"})";
+  for (int i = 3; i < 40; ++i)
+    list += ",\n{\"mesh\": \"two.off\", \"component\": " + std::to_string(i) + "}";
+  for (int round = 0; round < 20; ++round)
+    ASSERT_THAT(complaint(list + "]"),
+                HasSubstr("s.sonde.json:2: two.off has 2 components, not 3"));
+}
+
+TEST_F(SceneComponents, say_how_far_they_are_and_end_where_they_are_told_to) {
+  const Scene read = scene(R"([{"mesh": "box.off"}, {"mesh": "ring.off"}, {"mesh": "two.off"}])");
+  ComponentFiles files;
+  double last = 0;
+  load_parts(read.fixed, {0, 1, 2}, 1, files, [&last](double fraction) {
+    EXPECT_GE(fraction, last - 1e-12);
+    last = fraction;
+    return true;
+  });
+  EXPECT_GT(last, 0.5);
+  EXPECT_LE(last, 1 + 1e-12);
+  EXPECT_THROW(load_parts(read.fixed, {0, 1, 2}, 1, files, [](double) { return false; }),
+               Cancelled);
 }
 
 // As many as may be, as the window writes them, are read again.

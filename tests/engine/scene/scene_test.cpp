@@ -6,13 +6,17 @@
 #include <random>
 
 #include "engine/settings/settings.hpp"
+#include "tests/engine/scene/scene_texts.hpp"
 #include "tests/support/complaint.hpp"
 #include "tests/support/temp_folder.hpp"
 
 namespace sonde {
 namespace {
 
+using test::smallest;
 using test::TempFolder;
+using test::with_line;
+using test::with_probe_line;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -20,19 +24,6 @@ using testing::StartsWith;
 /// The complaint about a scene of this text; empty where there is none.
 std::string scene_complaint(const std::string& text) {
   return test::complaint_of(text, "a.sonde.json", read_scene);
-}
-
-constexpr const char* smallest = R"({"probe": {"mesh": "a.off"}, "fixed": {"mesh": "b.off"}})";
-
-/// A scene that is right but for one more line, line 4.
-std::string with_line(const std::string& line) {
-  return "{\n\"probe\": {\"mesh\": \"a.off\"},\n\"fixed\": {\"mesh\": \"b.off\"},\n" + line +
-         "\n}\n";
-}
-/// A scene whose probe has one more line, line 4.
-std::string with_probe_line(const std::string& line) {
-  return "{\n\"fixed\": {\"mesh\": \"b.off\"},\n\"probe\": {\"mesh\": \"a.off\",\n" + line +
-         "\n}}\n";
 }
 
 TEST(Scene, the_smallest_one_has_the_defaults) {
@@ -325,83 +316,10 @@ TEST(Scene, a_file_that_is_not_there_or_a_folder_is_refused) {
   EXPECT_THROW(read_scene(folder.path()), InputError);
 }
 
-/// The complaint about a scene whose paths are to stay in the folder "own" beside a folder "other".
-std::string complaint_within(const std::string& scene) {
-  const TempFolder folder;
-  std::filesystem::create_directories(folder / "own/meshes");
-  std::filesystem::create_directory(folder / "other");
-  folder.write("other/b.off", "");
-  std::filesystem::create_symlink(folder / "other/b.off", folder / "own/link.off");
-  try {
-    read_scene_within(folder / "own", folder.write("own/a.sonde.json", scene));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
-}
-
-TEST(Scene, its_paths_stay_in_a_folder_where_that_is_asked) {
-  EXPECT_EQ(complaint_within(smallest), "");
-  EXPECT_EQ(complaint_within(R"({"probe": {"mesh": "meshes/../a.off"},
-                                 "fixed": {"mesh": "meshes/b.off"}, "device": "touch"})"),
-            "");
-  for (const char* out : {"../other/b.off", "/etc/b.off", "meshes/../../b.off", "link.off", ".."})
-    EXPECT_THAT(complaint_within("{\"probe\": {\"mesh\": \"a.off\"},\n\"fixed\": {\"mesh\": \"" +
-                                 std::string(out) + "\"}}"),
-                HasSubstr("a.sonde.json:2: \"mesh\" leads out of the folder "))
-        << out;
-  for (const char* line : {R"("trajectory": "../a.csv")", R"("coupling": "../a.json")",
-                           R"("device": "../a.json")", R"("device": {"profile": "/a.json"})"})
-    EXPECT_THAT(complaint_within(with_line(line)),
-                testing::ContainsRegex("json:4: .* leads out of the folder"))
-        << line;
-}
-
-/// The names of what a scene in the folder "own" names outside of it.
-std::vector<std::string> names_out_of(const std::string& scene) {
-  const TempFolder folder;
-  for (const char* name : {"own", "own/meshes", "other"})
-    std::filesystem::create_directory(folder / name);
-  folder.write("other/b.off", "");
-  std::filesystem::create_symlink(folder / "other/b.off", folder / "own/link.off");
-  std::vector<std::string> out;
-  for (const auto& path : paths_out_of(folder / "own", folder.write("own/a.sonde.json", scene)))
-    out.push_back(path.lexically_relative(folder.path()).generic_string());
-  return out;
-}
-
-TEST(Scene, its_paths_out_of_a_folder_are_listed_and_not_read) {
-  EXPECT_THAT(names_out_of(smallest), testing::IsEmpty());
-  EXPECT_THAT(names_out_of(R"({"probe": {"mesh": "meshes/../a.off"}, "device": "touch",
-                               "fixed": {"mesh": "meshes/b.off"}, "coupling": {"k": 100}})"),
-              testing::IsEmpty());
-  EXPECT_THAT(names_out_of(R"({"probe": {"mesh": "link.off"}, "fixed": {"mesh": "../other/b.off"},
-                               "trajectory": "../none.csv", "coupling": "../none.json",
-                               "device": {"profile": "../other/none.json"}})"),
-              testing::ElementsAre("own/link.off", "other/b.off", "none.csv", "none.json",
-                                   "other/none.json"));
-  EXPECT_THROW(names_out_of("{"), InputError);
-}
-
 TEST(Scene, a_file_of_gains_is_an_object_not_another_name) {
   const TempFolder folder;
   const auto gains = folder.write("gains.json", "\"gains.json\"");
   EXPECT_THROW(read_coupling(gains), InputError);
-}
-
-TEST(Scene, a_mesh_that_is_not_there_is_told_with_the_scenes_line) {
-  const TempFolder folder;
-  folder.write("b.off", "OFF");
-  const auto file = folder.write("a.json", with_probe_line("\"scale\": 2"));
-  try {
-    require_meshes(read_scene(file));
-    FAIL() << "there is no a.off";
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.what(), file.string() + ":3: \"mesh\" names " + (folder / "a.off").string() +
-                                ": no such file");
-  }
-  folder.write("a.off", "OFF");
-  EXPECT_NO_THROW(require_meshes(read_scene(file)));
 }
 
 TEST(Scene, units) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/document/round_face.hpp"
+#include "engine/geometry/round_face.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "engine/geometry/topology.hpp"
 #include "tests/support/shapes.hpp"
 
-namespace sonde::ui {
+namespace sonde {
 namespace {
 
 /// A rod about z of so many sides and rings, radius 0.3, height 2, between flat ends.
@@ -40,7 +40,7 @@ TEST(RoundFace, of_a_rod_has_its_axis_and_its_ends_have_none) {
   for (const std::uint32_t sides : {12u, 24u, 100u, 2000u})
     for (const std::uint32_t rings : {1u, 7u}) {
       Soup soup = rod(sides, rings);
-      const Pose X{sonde::test::random_rotation(random), sonde::test::random_in_ball(random, 3)};
+      const Pose X{test::random_rotation(random), test::random_in_ball(random, 3)};
       for (Vec3& x : soup.vertices) x = X * x;
       const auto found = round_face(soup, sides + 3);
       ASSERT_TRUE(found) << sides << ' ' << rings;
@@ -55,11 +55,11 @@ TEST(RoundFace, of_what_is_flat_or_otherwise_round_there_is_none) {
   const auto soup_of = [](const PolygonSoup& polygons) {
     return compacted(triangulate(polygons).soup);
   };
-  EXPECT_FALSE(round_face(soup_of(sonde::test::box({1, 2, 3})), 0));
-  EXPECT_FALSE(round_face(soup_of(sonde::test::torus(1, 0.4, 48, 24)), 17));
-  EXPECT_FALSE(round_face(soup_of(sonde::test::sphere(1, 24, 48)), 300));
-  EXPECT_FALSE(round_face(soup_of(sonde::test::sphere(1, 300, 600)), 150'000));
+  EXPECT_FALSE(round_face(soup_of(test::box({1, 2, 3})), 0));
+  EXPECT_FALSE(round_face(soup_of(test::torus(1, 0.4, 48, 24)), 17));
+  EXPECT_FALSE(round_face(soup_of(test::sphere(1, 24, 48)), 300));
+  EXPECT_FALSE(round_face(soup_of(test::sphere(1, 300, 600)), 150'000));
 }
 
 }  // namespace
-}  // namespace sonde::ui
+}  // namespace sonde

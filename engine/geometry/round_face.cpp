@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/document/round_face.hpp"
+#include "engine/geometry/round_face.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -9,13 +9,16 @@
 #include <numeric>
 #include <vector>
 
-namespace sonde::ui {
+#include "engine/base/elementary.hpp"
+#include "engine/base/ordering.hpp"
+
+namespace sonde {
 namespace {
 
-constexpr double flat = 1e-6;    // 1 - cosine (0.08°): triangles that differ by less are one piece
-constexpr double sharp = 0.3;    // 1 - cosine (46°): pieces that meet at more are no round face
-constexpr double smooth = 0.44;  // rad (25°): at an end, what bends by more is a chamfer
-constexpr double straight = 0.1;        // of the curvature about an axis: that along it
+constexpr double in_plane = 1e-6;  // 1 - cosine (0.08°): triangles of less are one piece
+constexpr double sharp = 0.3;      // 1 - cosine (46°): pieces that meet at more are no round face
+constexpr double smooth = 0.44;    // rad (25°): at an end, what bends by more is a chamfer
+constexpr double hardly_bent = 0.1;     // of the curvature about an axis: that along it
 constexpr double off_circle = 0.01;     // of the radius
 constexpr double off_square = 0.02;     // of a normal along the axis
 constexpr double largest_radius = 1e3;  // of the piece's size: more is as good as flat
@@ -78,7 +81,7 @@ std::vector<std::uint32_t> flat_piece(const Soup& soup, const Neighbours& next,
                                       std::uint32_t triangle) {
   const Vec3 normal = normal_of(soup, triangle);
   return spread(soup, next, triangle, [&](std::uint32_t, std::uint32_t other) {
-    return 1 - normal.dot(normal_of(soup, other)) <= flat;
+    return 1 - normal.dot(normal_of(soup, other)) <= in_plane;
   });
 }
 
@@ -121,7 +124,7 @@ std::vector<Eigen::Vector2d> corners_of(const Soup& soup, const std::vector<std:
   std::vector<std::uint32_t> corners;
   for (const std::uint32_t i : of)
     corners.insert(corners.end(), soup.triangles[i].begin(), soup.triangles[i].end());
-  std::ranges::sort(corners);
+  ordering::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   std::vector<Eigen::Vector2d> out;
   out.reserve(corners.size());
@@ -146,7 +149,7 @@ Fold longest_fold(const Soup& soup, const Neighbours& next,
       const Vec3 side = soup.vertices[b] - soup.vertices[a];
       next.across(i, a, b, [&](std::uint32_t other) {
         const double bend = 1 - normal_of(soup, i).dot(normal_of(soup, other));
-        if (bend > flat && bend < sharp && side.norm() > best.length)
+        if (bend > in_plane && bend < sharp && side.norm() > best.length)
           best = {side.norm(), side.normalized(), other};
       });
     }
@@ -154,8 +157,8 @@ Fold longest_fold(const Soup& soup, const Neighbours& next,
   return best;
 }
 
-double angle_between(const Soup& soup, std::uint32_t a, std::uint32_t b) {
-  return std::acos(std::clamp(normal_of(soup, a).dot(normal_of(soup, b)), -1.0, 1.0));
+double turn_between(const Soup& soup, std::uint32_t a, std::uint32_t b) {
+  return elementary::acos(std::clamp(normal_of(soup, a).dot(normal_of(soup, b)), -1.0, 1.0));
 }
 
 /// How much a flat piece and its like are bent along an axis too, 1/m: a strip of a sphere looks
@@ -169,7 +172,7 @@ double bend_along(const Soup& soup, const Neighbours& next, const std::vector<st
       const double along = axis.dot(soup.vertices[t[k]]);
       low = std::min(low, along), high = std::max(high, along);
       next.across(i, t[k], t[(k + 1) % 3], [&](std::uint32_t other) {
-        if (angle_between(soup, i, other) < smooth)
+        if (turn_between(soup, i, other) < smooth)
           most = std::max(most, std::abs(normal_of(soup, other).dot(axis)));
       });
     }
@@ -197,7 +200,7 @@ std::optional<RoundFace> round_face(const Soup& soup, std::uint32_t triangle) {
   };
   if (!(circle.radius < largest_radius * fold.length) || !std::ranges::all_of(piece, on_circle))
     return std::nullopt;
-  if (bend_along(soup, next, piece, fold.along) * circle.radius > straight) return std::nullopt;
+  if (bend_along(soup, next, piece, fold.along) * circle.radius > hardly_bent) return std::nullopt;
   const auto all = spread(soup, next, triangle,
                           [&](std::uint32_t, std::uint32_t other) { return on_circle(other); });
   circle = circle_through(corners_of(soup, all, plane));
@@ -207,4 +210,4 @@ std::optional<RoundFace> round_face(const Soup& soup, std::uint32_t triangle) {
   return RoundFace{at + fold.along * fold.along.dot(beside), fold.along, circle.radius};
 }
 
-}  // namespace sonde::ui
+}  // namespace sonde

@@ -6,7 +6,7 @@
 
 #include "engine/geometry/soup.hpp"
 
-namespace sonde::ui {
+namespace sonde {
 
 /// The axis of a round face: a bore, a shaft, a rounded edge.
 struct RoundFace {
@@ -19,4 +19,4 @@ struct RoundFace {
 /// face is flat, or round in another way. Vertices that are one have one index.
 std::optional<RoundFace> round_face(const Soup& soup, std::uint32_t triangle);
 
-}  // namespace sonde::ui
+}  // namespace sonde
