@@ -9,8 +9,8 @@
 
 namespace sonde {
 
-/// What a test says of a claim. Undecided: the difference may be chance, or nothing was to be seen.
-enum class Finding { supported, refuted, undecided };
+/// What a test says of a claim. Undecided: the difference may be chance. None: there was no trial.
+enum class Finding { supported, refuted, undecided, none };
 const char* name_of(Finding finding);
 
 /// A claim about PD_g, tested on what could have gone the other way.
@@ -18,7 +18,8 @@ struct TestedClaim {
   const char* key;
   const char* claim;
   Finding finding = Finding::undecided;
-  int for_it = 0, against_it = 0;  ///< trials; those within 2 % of each other count for neither
+  int for_it = 0, against_it = 0;  ///< trials
+  int alike = 0;                   ///< trials within 2 % of each other, which count for neither
   /// Of a split at least as uneven, either way, if both sides were as likely (sign test).
   double chance = 1;
 };
@@ -37,7 +38,8 @@ constexpr double significant = 0.05;
 ///   more stable at equal forces. Without a device nothing was seen.
 std::vector<TestedClaim> tested_claims(const Comparison& comparison);
 
-/// The chance, if each were as likely, that of their sum at least as many fall on one side.
+/// The chance, if each were as likely, that of their sum at least as many fall on one side. The
+/// time grows with their sum, and the bits are the same everywhere.
 double sign_test(int one, int other);
 
 }  // namespace sonde
