@@ -39,8 +39,11 @@ struct SituationOptions {
   std::uint64_t seed = 1;
   int walks = 160;      ///< of the probe into the fixed body
   double depth = 0.02;  ///< at which a walk has arrived, of the probe's radius
-  /// Orders situations of one kind: the largest is the hardest. Called with its felt stiffness.
+  /// Orders situations of one kind: the largest is the hardest. Called with its felt stiffness, on
+  /// any thread.
   std::function<double(const FeltStiffness&)> hardness = {};
+  /// Of the search; what is found is the same at any number.
+  unsigned threads = 1;
   /// Gets the fraction of the search that is done, 0 to 1, now and then.
   std::function<void(double)> progress = {};
 };

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/numbers.hpp"
 #include "engine/haptics/loop/servo.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/settings/device_profile.hpp"
@@ -64,10 +65,11 @@ struct TuningContacts {
 };
 
 /// The contacts to study: of each kind the hardest in which a light hand can hold the probe still.
-/// Takes seconds; `progress` gets the fraction done, 0 to 1. Throws InputError where there is none,
-/// Cancelled.
+/// Takes seconds; the same at any number of threads; `progress` gets the fraction done, 0 to 1.
+/// Throws InputError where there is none, Cancelled.
 TuningContacts tuning_contacts(const TuningRequest& request, const Stop& stop,
-                               const std::function<void(double)>& progress = {});
+                               const std::function<void(double)>& progress = {},
+                               unsigned threads = 1);
 
 /// A situation with a hand and the request's device, at gains well within what theory allows.
 TuningSetup tuning_setup(const TuningRequest& request, const TuningSituation& situation,
@@ -87,10 +89,13 @@ struct TuningPlan {
   StudyFolder first_look = {};
   /// What it recommends, N/m; 0: nothing. There the study holds the probe for seconds (LongHold).
   double held_stiffness = 0;
+  /// What theory of a handle that no hand holds, the driver and the encoder allow there, N/m: no
+  /// run can raise it.
+  double unmeasured = infinity;
 };
 /// Looks for the situations. Errors as tuning_contacts.
 TuningPlan tuning_plan(const TuningRequest& request, const Stop& stop,
-                       const std::function<void(double)>& progress = {});
+                       const std::function<void(double)>& progress = {}, unsigned threads = 1);
 /// What a study of these gains sweeps, main_axes first.
 std::vector<GainAxis> axes_of(const TuningRequest& request);
 /// The gains that may be recommended: of the object norm, of the classic coupling together (with
@@ -103,6 +108,10 @@ TuningSetup tuning_setup(const TuningPlan& plan, std::size_t situation, const Ha
 /// The same on another device than the plan's; hand, range and push stay those of the plan.
 TuningSetup tuning_setup(const TuningPlan& plan, std::size_t situation, const HandGrip& grip,
                          const DeviceProfile& device);
+/// The stiffness of an axis that is felt in a situation as the largest that the driver of the
+/// device takes, N/m | N·m/rad; infinite where the profile says none.
+double driver_limit(const TuningPlan& plan, std::size_t situation, GainAxis axis,
+                    const DeviceProfile& device);
 /// All that a study of this plan depends on, as JSON (Study::about).
 std::string tuning_facts(const TuningPlan& plan);
 
