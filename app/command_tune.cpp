@@ -70,10 +70,10 @@ Command add_tune_command(CLI::App& program) {
       ->check(check_ratio)
       ->capture_default_str();
   parser->add_option("--from", options->low, "least stiffness studied, N/m")
-      ->check(check_positive)
+      ->check(check_gain("k"))
       ->capture_default_str();
   parser->add_option("--to", options->high, "largest stiffness studied, N/m")
-      ->check(check_positive)
+      ->check(check_gain("k"))
       ->capture_default_str();
   parser->add_flag("--trust-friction", options->trusts_friction,
                    "recommend gains that are stable only thanks to the profile's friction");

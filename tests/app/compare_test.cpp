@@ -48,7 +48,7 @@ TEST_F(Compare, the_summary_is_machine_readable) {
   EXPECT_NEAR(summary.at("pdt").at("force_variation"), 9.5, 0.02) << "it only rises";
   EXPECT_EQ(summary.at("units").at("peak_torque"), "N*m");
   EXPECT_EQ(summary.at("pdg_claims").size(), 6u);
-  EXPECT_EQ(summary.at("pdg_claims").at("better_torque"), "undecided");
+  EXPECT_EQ(summary.at("pdg_claims").at("better_torque"), "none");
 }
 
 TEST_F(Compare, settings_and_path_can_be_replaced) {

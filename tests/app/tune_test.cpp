@@ -97,9 +97,9 @@ TEST_F(Tune, bad_input_is_refused_before_any_work) {
   expect_refused(scene + "--device sigma7", 3,
                  "nearest known one is \"sigma.7\"; known are: lambda.7");
   expect_refused(scene, 2, "--device");
-  for (const char* gain : {"0", "-5", "nan", "x", "inf"}) {
-    expect_refused(scene + "--device sigma.7 --from " + gain, 2, "above zero");
-    expect_refused(scene + "--device sigma.7 --to " + gain, 2, "above zero");
+  for (const char* gain : {"0", "-5", "nan", "x", "inf", "1e12"}) {
+    expect_refused(scene + "--device sigma.7 --from " + gain, 2, "between 1 and 100000");
+    expect_refused(scene + "--device sigma.7 --to " + gain, 2, "between 1 and 100000");
   }
   expect_refused(scene + "--device sigma.7 --from 10 --to 10", 2, "--from must be below --to");
   expect_refused(scene + "--device sigma.7 --ratio 1", 2, "1.0001");
@@ -117,7 +117,7 @@ TEST_F(Tune, no_contact_on_the_trajectory_is_an_error) {
 }
 
 TEST_F(Tune, stiffness_beyond_all_reason_ends_in_an_honest_map) {
-  const Outcome run = expect_done(std::string(quick) + "--out out --from 1e11 --to 1e12");
+  const Outcome run = expect_done(std::string(quick) + "--out out --from 9e4 --to 1e5");
   const Csv map(text_of(folder / "out/map.csv"));
   ASSERT_FALSE(map.rows.empty());
   for (std::size_t i = 0; i < map.rows.size(); ++i) {

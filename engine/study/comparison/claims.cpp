@@ -50,9 +50,24 @@ std::vector<std::pair<Trial, Trial>> trials(const Comparison& c) {
   return out;
 }
 
-TestedClaim decided(const char* key, const char* claim, int for_it, int against_it) {
-  TestedClaim out{key,    claim,      Finding::undecided,
-                  for_it, against_it, sign_test(for_it, against_it)};
+/// Trials of a claim.
+struct Count {
+  int for_it = 0, against_it = 0, alike = 0;
+
+  /// By a number of each, of which PD_g's is to be the smaller, or the larger.
+  void add(double pdt, double pdg, bool larger) {
+    if (std::abs(pdt - pdg) <= as_good_as_same * std::max(pdt, pdg))
+      ++alike;
+    else
+      ++((pdg > pdt) == larger ? for_it : against_it);
+  }
+};
+
+TestedClaim decided(const char* key, const char* claim, const Count& count) {
+  const auto [for_it, against_it, alike] = count;
+  TestedClaim out{key,        claim, Finding::undecided,           for_it,
+                  against_it, alike, sign_test(for_it, against_it)};
+  if (for_it + against_it + alike == 0) out.finding = Finding::none;
   if (out.chance < significant)
     out.finding = for_it > against_it ? Finding::supported : Finding::refuted;
   return out;
@@ -61,29 +76,24 @@ TestedClaim decided(const char* key, const char* claim, int for_it, int against_
 /// The claim: PD_g's variation is smaller at equal forces.
 TestedClaim smoother(const Comparison& c, const char* key, const char* claim,
                      double Trial::*variation) {
-  int for_it = 0, against_it = 0;
-  for (const auto& [pdt, pdg] : trials(c)) {
-    const double a = pdt.*variation / pdt.mean_force, b = pdg.*variation / pdg.mean_force;
-    if (std::abs(a - b) <= as_good_as_same * std::max(a, b)) continue;
-    ++(b < a ? for_it : against_it);
-  }
-  return decided(key, claim, for_it, against_it);
+  Count count;
+  for (const auto& [pdt, pdg] : trials(c))
+    count.add(pdt.*variation / pdt.mean_force, pdg.*variation / pdg.mean_force, false);
+  return decided(key, claim, count);
 }
 
-/// Compares a number of both methods at the same ticks; the claim is that PD_g's is smaller (or
-/// larger).
+/// Pairs of the same tick, by a number of each: PD_g's is to be the smaller, or the larger. Both
+/// lists are in the order of ticks.
 template <class Tick, class Number>
 TestedClaim by_ticks(const std::vector<Tick>& pdt, const std::vector<Tick>& pdg, const char* key,
                      const char* claim, Number Tick::*number, bool larger) {
-  int for_it = 0, against_it = 0;
+  Count count;
   for (const Tick& one : pdt) {
-    const auto other = std::ranges::find(pdg, one.tick, &Tick::tick);
-    if (other == pdg.end()) continue;
-    const double a = one.*number, b = (*other).*number;
-    if (std::abs(a - b) <= as_good_as_same * std::max(a, b)) continue;
-    ++((b > a) == larger ? for_it : against_it);
+    const auto other = std::ranges::lower_bound(pdg, one.tick, {}, &Tick::tick);
+    if (other != pdg.end() && other->tick == one.tick)
+      count.add(one.*number, (*other).*number, larger);
   }
-  return decided(key, claim, for_it, against_it);
+  return decided(key, claim, count);
 }
 
 /// Force and torque mostly step in the same tick, which is one trial.
@@ -91,25 +101,23 @@ int steps(const MethodMeasures& m) {
   return std::max(m.discontinuities.force_steps, m.discontinuities.torque_steps);
 }
 
-double log_factorial(int n) {
-  double sum = 0;
-  for (int i = 2; i <= n; ++i) sum += elementary::log(i);
-  return sum;
-}
-
 }  // namespace
 
 const char* name_of(Finding finding) {
-  constexpr std::array names{"supported", "refuted", "undecided"};
+  constexpr std::array names{"supported", "refuted", "undecided", "none"};
   return names[static_cast<std::size_t>(finding)];
 }
 
 double sign_test(int one, int other) {
   const int n = one + other, most = std::max(one, other);
-  double chance = 0;
-  for (int k = most; k <= n; ++k)
-    chance += elementary::exp(log_factorial(n) - log_factorial(k) - log_factorial(n - k) -
-                              n * elementary::log(2));
+  // The first of the sum, of which each is a simple multiple of the last.
+  double log_first = -n * elementary::log(2);
+  for (int i = 1; i <= n - most; ++i) log_first += elementary::log(double(most + i) / i);
+  double term = elementary::exp(log_first), chance = 0;
+  for (int k = most; k <= n && term > 0; ++k) {
+    chance += term;
+    term *= double(n - k) / (k + 1);
+  }
   return std::min(1.0, 2 * chance);
 }
 
@@ -117,9 +125,10 @@ std::vector<TestedClaim> tested_claims(const Comparison& c) {
   return {
       smoother(c, "smoother_force", "its force is smoother, at equal forces", &Trial::force),
       smoother(c, "smoother_torque", "its torque is smoother, at equal forces", &Trial::torque),
-      decided("fewer_steps", "force and torque have fewer steps", steps(c.of_pdt), steps(c.of_pdg)),
-      decided("fewer_pop_throughs", "it pops through less", c.of_pdt.discontinuities.pop_throughs,
-              c.of_pdg.discontinuities.pop_throughs),
+      decided("fewer_steps", "force and torque have fewer steps",
+              {steps(c.of_pdt), steps(c.of_pdg)}),
+      decided("fewer_pop_throughs", "it pops through less",
+              {c.of_pdt.discontinuities.pop_throughs, c.of_pdg.discontinuities.pop_throughs}),
       by_ticks(c.of_pdt.realism.at_equal_force, c.of_pdg.realism.at_equal_force, "better_torque",
                "its torque is nearer to the analytic one, at equal forces",
                &TorqueRealism::AtTick::error, false),

@@ -9,8 +9,8 @@
 
 namespace sonde {
 
-/// The result of a test of a claim. Undecided: the difference may be chance, or there was no data.
-enum class Finding { supported, refuted, undecided };
+/// What a test says of a claim. Undecided: the difference may be chance. None: there was no trial.
+enum class Finding { supported, refuted, undecided, none };
 const char* name_of(Finding finding);
 
 /// A claim about PD_g, tested on trials that could have refuted it.
@@ -18,9 +18,9 @@ struct TestedClaim {
   const char* key;
   const char* claim;
   Finding finding = Finding::undecided;
-  int for_it = 0, against_it = 0;  ///< trials; those within 2 % of each other count for neither
-  /// Probability of a split at least as uneven, either way, if both sides were equally likely (sign
-  /// test).
+  int for_it = 0, against_it = 0;  ///< trials
+  int alike = 0;                   ///< trials within 2 % of each other, which count for neither
+  /// Of a split at least as uneven, either way, if both sides were as likely (sign test).
   double chance = 1;
 };
 
@@ -39,8 +39,8 @@ constexpr double significant = 0.05;
 /// oscillates is the more stable one at equal forces. Without a device there is no data.
 std::vector<TestedClaim> tested_claims(const Comparison& comparison);
 
-/// The probability, if both sides are equally likely, that at least as many trials of their sum
-/// fall on one side.
+/// The chance, if each were as likely, that of their sum at least as many fall on one side. The
+/// time grows with their sum, and the bits are the same everywhere.
 double sign_test(int one, int other);
 
 }  // namespace sonde

@@ -223,6 +223,7 @@ std::string summary_json(const Comparison& c) {
     tested[claim.key] = {{"finding", name_of(claim.finding)},
                          {"for", claim.for_it},
                          {"against", claim.against_it},
+                         {"alike", claim.alike},
                          {"chance", claim.chance}};
   }
   const Json all{{"scene", c.scene},

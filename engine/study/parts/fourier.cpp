@@ -24,11 +24,8 @@ std::size_t smallest_factor(std::size_t n) {
 
 class FourierSum {
  public:
-  explicit FourierSum(const std::vector<double>& x) : x_(x) {
-    const auto n = static_cast<double>(x.size());
-    for (std::size_t k = 0; k < x.size(); ++k)
-      roots_.push_back(elementary::polar(1, -2 * std::numbers::pi * static_cast<double>(k) / n));
-  }
+  FourierSum(const std::vector<double>& x, const std::vector<Complex>& roots)
+      : x_(x), roots_(roots) {}
 
   /// Transforms n values from index `first` on, `stride` apart.
   void run(std::size_t first, std::size_t n, std::size_t stride, Complex* out) const {
@@ -51,15 +48,25 @@ class FourierSum {
 
  private:
   const std::vector<double>& x_;
-  std::vector<Complex> roots_;
+  const std::vector<Complex>& roots_;
 };
 
 }  // namespace
 
-std::vector<Complex> fourier_transform(const std::vector<double>& x) {
+FourierTransform::FourierTransform(std::size_t n) {
+  for (std::size_t k = 0; k < n; ++k)
+    roots_.push_back(elementary::polar(
+        1, -2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(n)));
+}
+
+std::vector<Complex> FourierTransform::operator()(const std::vector<double>& x) const {
   std::vector<Complex> out(x.size());
-  if (!x.empty()) FourierSum(x).run(0, x.size(), 1, out.data());
+  if (!x.empty()) FourierSum(x, roots_).run(0, x.size(), 1, out.data());
   return out;
+}
+
+std::vector<Complex> fourier_transform(const std::vector<double>& x) {
+  return FourierTransform(x.size())(x);
 }
 
 }  // namespace sonde

@@ -48,25 +48,38 @@ double square(double x) { return x * x; }
 /// The factor of second differences on an oscillation of amplitude 1.
 double gain(double omega, double T) { return 2 - 2 * elementary::cos(omega * T); }
 
-Lines spectra(const Line& signal) {
-  Lines out;
-  for (std::size_t c = 0; c < 3; ++c) {
-    std::vector<double> windowed = signal[c];
-    for (std::size_t i = 0; i < windowed.size(); ++i) windowed[i] *= hann(i, windowed.size());
-    out[c] = fourier_transform(windowed);
+/// Of signals of one length: what depends on that alone is computed once.
+class Spectra {
+ public:
+  explicit Spectra(std::size_t n) : transform_(n) {
+    for (std::size_t i = 0; i < n; ++i) window_.push_back(hann(i, n));
   }
-  return out;
-}
+
+  Lines operator()(const Line& signal) const {
+    Lines out;
+    for (std::size_t c = 0; c < 3; ++c) {
+      std::vector<double> windowed = signal[c];
+      for (std::size_t i = 0; i < windowed.size(); ++i) windowed[i] *= window_[i];
+      out[c] = transform_(windowed);
+    }
+    return out;
+  }
+
+ private:
+  FourierTransform transform_;
+  std::vector<double> window_;
+};
 
 /// The amplitude at omega in a part of the signal, with the effect of second differences removed.
 double amplitude(const Line& signal, std::size_t from, std::size_t count, double omega, double T) {
-  double sum = 0;
-  for (const std::vector<double>& x : signal) {
-    Complex at = 0;
-    for (std::size_t i = 0; i < count; ++i)
-      at += hann(i, count) * x[from + i] * elementary::polar(1.0, -omega * T * double(i));
-    sum += std::norm(at);
+  std::array<Complex, 3> at = {};
+  for (std::size_t i = 0; i < count; ++i) {
+    const double window = hann(i, count);
+    const Complex turn = elementary::polar(1.0, -omega * T * double(i));
+    for (std::size_t c = 0; c < 3; ++c) at[c] += window * signal[c][from + i] * turn;
   }
+  double sum = 0;
+  for (const Complex& each : at) sum += std::norm(each);
   return 2 * std::sqrt(sum) / double(count) / gain(omega, T);
 }
 
@@ -84,6 +97,7 @@ struct Swing {
 };
 
 Swing largest_swing(const Line& places, const Line& forces, double T) {
+  const Spectra spectra(places[0].size());
   const Lines x = spectra(places), f = spectra(forces);
   const std::size_t n = x[0].size();
   const double bin = 2 * std::numbers::pi / (double(n) * T);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/base/error.hpp"
+#include "engine/base/threads.hpp"
 #include "engine/body/body.hpp"
 #include "engine/geometry/random.hpp"
 #include "engine/geometry/rotation.hpp"
@@ -57,13 +58,23 @@ class Collection {
  public:
   Collection(const Pair& pair, const SituationOptions& options) : pair_(pair), options_(options) {}
 
-  void add(const Separation& s) {
+  struct Found {
+    ContactSituation situation;
+    double hardness;
+  };
+
+  /// Takes long; on any thread.
+  std::optional<Found> look(const Separation& s) const {
     const auto stiffness =
         felt_stiffness(pair_, options_.method, s.device, s.separated, difference_step * s.depth);
-    if (!stiffness) return;
+    if (!stiffness) return {};
     const double hardness = options_.hardness(*stiffness);
-    if (!std::isfinite(hardness)) return;
-    found_.push_back({{contact_kind(s), s, *stiffness}, hardness});
+    if (!std::isfinite(hardness)) return {};
+    return Found{{contact_kind(s), s, *stiffness}, hardness};
+  }
+
+  void add(const std::optional<Found>& found) {
+    if (found) found_.push_back(*found);
   }
 
   void tell(double done) const {
@@ -86,10 +97,6 @@ class Collection {
   }
 
  private:
-  struct Found {
-    ContactSituation situation;
-    double hardness;
-  };
   const Pair& pair_;
   const SituationOptions& options_;
   std::vector<Found> found_;
@@ -150,16 +157,23 @@ ContactKind contact_kind(const Separation& s) {
 std::vector<ContactSituation> find_situations(const Pair& pair, const Pose& X_FM, int most,
                                               const SituationOptions& options, const Stop& stop) {
   Collection collection(pair, options);
-  CoherentSolver solver(pair, options.method);
   const Box box = box_of(pair.fixed());
   Random random(options.seed);
-  for (int i = 0; i < options.walks; ++i) {
+  std::vector<Walk> walks;
+  walks.reserve(static_cast<std::size_t>(std::max(0, options.walks)));
+  for (int i = 0; i < options.walks; ++i)
+    walks.push_back(random_walk(random, pair.probe(), pair.fixed(), box, X_FM));
+  const double depth = options.depth * pair.probe().mass.radius;
+  const auto walk = [&](std::size_t i) {
     if (stop()) throw Cancelled();
+    CoherentSolver solver(pair, options.method);
+    const auto s = arrive(solver, pair.probe(), walks[i], depth);
+    return s ? collection.look(*s) : std::nullopt;
+  };
+  run_in_order(walks.size(), options.threads, walk, [&](std::size_t i, const auto& found) {
     collection.tell(double(i) / options.walks);
-    const Walk walk = random_walk(random, pair.probe(), pair.fixed(), box, X_FM);
-    if (const auto s = arrive(solver, pair.probe(), walk, options.depth * pair.probe().mass.radius))
-      collection.add(*s);
-  }
+    collection.add(found);
+  });
   return collection.best(most);
 }
 
@@ -178,11 +192,15 @@ std::vector<ContactSituation> situations_along(const Pair& pair, std::span<const
       touching.push_back(s);
   }
   const std::size_t every = touching.size() / looked_at + 1;
-  for (std::size_t i = 0; i < touching.size(); i += every) {
+  const auto look = [&](std::size_t i) {
     if (stop()) throw Cancelled();
-    collection.tell(double(i) / double(touching.size()));
-    collection.add(touching[i]);
-  }
+    return collection.look(touching[i * every]);
+  };
+  const std::size_t looked = (touching.size() + every - 1) / every;
+  run_in_order(looked, options.threads, look, [&](std::size_t i, const auto& found) {
+    collection.tell(double(i) / double(looked));
+    collection.add(found);
+  });
   return collection.best(most);
 }
 

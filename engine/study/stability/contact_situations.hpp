@@ -38,11 +38,13 @@ struct SituationOptions {
   Method method = Method::pdg;
   std::uint64_t seed = 1;
   int walks = 160;      ///< of the probe into the fixed body
-  double depth = 0.02;  ///< of the probe's radius: depth at which a walk has arrived
-  /// Orders situations of one kind: the largest value is the hardest. Called with the felt
-  /// stiffness.
+  double depth = 0.02;  ///< at which a walk has arrived, of the probe's radius
+  /// Orders situations of one kind: the largest is the hardest. Called with its felt stiffness, on
+  /// any thread.
   std::function<double(const FeltStiffness&)> hardness = {};
-  /// Called from time to time with the fraction of the search that is done, 0 to 1.
+  /// Of the search; what is found is the same at any number.
+  unsigned threads = 1;
+  /// Gets the fraction of the search that is done, 0 to 1, now and then.
   std::function<void(double)> progress = {};
 };
 

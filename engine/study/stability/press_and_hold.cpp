@@ -81,9 +81,18 @@ class Observer {
     if (tick >= times_.first) look_at_hold(tick, before, s, motors);
   }
 
-  HoldReport report(const Press& press) {
+  /// What it has done cannot be made good: energies only add up.
+  bool lost(const Press& press) const {
+    if (out_.failures > 0) return true;
+    const double first = energy_[0] / double(times_.second - times_.first);
+    const double kinetic = energy_[1] / double(times_.end - times_.second);
+    const double quiet = quiet_energy(press, loop_.setup().device);
+    return kinetic > quiet && kinetic >= press.decay * std::max(first, quiet);
+  }
+
+  HoldReport report(const Press& press, HoldQuestion question) {
     const ClosedLoopSetup& setup = loop_.setup();
-    const double n = double(hold_.size());
+    const double n = double(std::max<std::size_t>(1, hold_.size()));
     for (double* mean : {&out_.depth, &out_.contact, &out_.saturation, &out_.force, &out_.torque})
       *mean /= n;
     const double first = energy_[0] / double(times_.second - times_.first);
@@ -92,10 +101,7 @@ class Observer {
     const bool still = out_.kinetic <= quiet;
     out_.growth = still ? 0 : out_.kinetic / std::max(first, quiet);
     out_.stable = (still || out_.growth < press.decay) && out_.contact > 0.5 && out_.failures == 0;
-    const double length = std::sqrt(setup.pair.probe().mass.inertia.maxCoeff());
-    const Chatter heard = chatter(hold_, setup.sample_time, felt_handle(setup), length);
-    out_.chattering = heard.buzzes();
-    out_.chatter = out_.chattering ? heard.force : 0;
+    if (question == HoldQuestion::figures) listen();
     out_.saturated = out_.saturation > saturation_limit;
     out_.force_error = force_.value();
     out_.torque_error = torque_.value();
@@ -113,6 +119,14 @@ class Observer {
     if (popped_through(last_, now, mass.radius)) ++out_.pop_throughs;
     last_ = now;
     device_ = s.device;
+  }
+
+  void listen() {
+    const ClosedLoopSetup& setup = loop_.setup();
+    const double length = std::sqrt(setup.pair.probe().mass.inertia.maxCoeff());
+    const Chatter heard = chatter(hold_, setup.sample_time, felt_handle(setup), length);
+    out_.chattering = heard.buzzes();
+    out_.chatter = out_.chattering ? heard.force : 0;
   }
 
   void look_at_hold(std::int64_t tick, const HandleState& before, const Separation& s,
@@ -147,7 +161,7 @@ class Observer {
 
 }  // namespace
 
-HoldReport press_and_hold(ClosedLoop& loop, const Press& press) {
+HoldReport press_and_hold(ClosedLoop& loop, const Press& press, HoldQuestion question) {
   const Timetable times(press, loop.setup().sample_time);
   Observer observer(loop, times);
   loop.reset(press.X_FM);
@@ -155,8 +169,9 @@ HoldReport press_and_hold(ClosedLoop& loop, const Press& press) {
     const HandleState before = loop.device().state();
     loop.step(press.X_FM, push_at(tick, press, times));
     observer.look(tick, before);
+    if (question == HoldQuestion::outcome && observer.lost(press)) break;
   }
-  return observer.report(press);
+  return observer.report(press, question);
 }
 
 Wrench push_at(const Press& press, double sample_time, std::int64_t tick) {

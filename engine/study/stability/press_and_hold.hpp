@@ -51,7 +51,16 @@ struct HoldReport {
 
 constexpr double saturation_limit = 0.01;
 
-HoldReport press_and_hold(ClosedLoop& loop, const Press& press);
+/// What is asked of a hold.
+enum class HoldQuestion {
+  figures,  ///< all of the report
+  /// Whether it is stable, or comes to rest. It ends as soon as it can be neither: its growth is
+  /// then what it came to by then, and no less than Press::decay. Chatter is not looked for.
+  outcome,
+};
+
+HoldReport press_and_hold(ClosedLoop& loop, const Press& press,
+                          HoldQuestion question = HoldQuestion::figures);
 
 /// The hand's wrench in addition to its spring at a tick, and the tick at which the first window
 /// begins.

@@ -38,6 +38,12 @@ Range range_of(const TuningSetup& setup, GainAxis axis) {
           damps_turns(axis) ? setup.most_rotational_damping : setup.most_damping};
 }
 
+/// Halved into the range, as a walk goes down: what it runs is the same with a wider one.
+double start_within(double start, const Range& range) {
+  while (start > range.high) start /= 2;
+  return std::max(start, range.low);
+}
+
 /// The linear contact at one damping: `stiffness` at one N/m (N·m/rad) of the axis.
 SampledContact linear_contact(const TuningSetup& setup, GainAxis axis, double damping) {
   const FeltStiffness& felt = setup.situation.contact.stiffness;
@@ -103,11 +109,17 @@ Press press_of(const TuningSetup& setup, GainAxis axis, double knock) {
   return press;
 }
 
-/// One hold of a sweep, with a knock of this multiple of the usual strength.
-HoldReport hold(const TuningSetup& setup, GainAxis axis, double stiffness, double damping,
-                double knock = 1) {
+/// One hold of a sweep.
+HoldReport hold(const TuningSetup& setup, GainAxis axis, double stiffness, double damping) {
   ClosedLoop closed = closed_loop(setup, axis, stiffness, damping);
-  return press_and_hold(closed, press_of(setup, axis, knock));
+  return press_and_hold(closed, press_of(setup, axis, 1));
+}
+
+/// Whether such a hold dies down.
+HoldReport outcome(const TuningSetup& setup, GainAxis axis, double stiffness, double damping,
+                   double knock) {
+  ClosedLoop closed = closed_loop(setup, axis, stiffness, damping);
+  return press_and_hold(closed, press_of(setup, axis, knock), HoldQuestion::outcome);
 }
 
 void add_limit(Json& json, const std::string& name, const SweepLimit& limit) {
@@ -127,7 +139,9 @@ void add_without_friction(Json& json, const TuningSetup& setup, SweepOptions opt
                           double damping, const TheoryLimits& theory, const Stop& stop) {
   const TuningSetup smooth = without_friction(setup);
   options.start = std::clamp(0.8 * options.start, options.low, options.high);
-  const auto run = [&](double stiffness) { return hold(smooth, options.axis, stiffness, damping); };
+  const auto run = [&](double stiffness) {
+    return outcome(smooth, options.axis, stiffness, damping, 1);
+  };
   const auto holds = [](const HoldReport& report) { return report.stable; };
   SweepLimit limit = search_limit(run, holds, options, stop);
   const bool by_theory = limit.stiffness == 0 && std::isfinite(theory.stable);
@@ -143,7 +157,7 @@ SweepLimit at_harder_knocks(const TuningSetup& setup, SweepOptions options, doub
     HoldReport slowest;
     // The hardest first: if it fails, the others are not needed.
     for (auto knock = std::rbegin(harder_knocks); knock != std::rend(harder_knocks); ++knock) {
-      const HoldReport report = hold(setup, options.axis, stiffness, damping, *knock);
+      const HoldReport report = outcome(setup, options.axis, stiffness, damping, *knock);
       if (!comes_to_rest(report)) return report;
       if (report.growth >= slowest.growth) slowest = report;
     }
@@ -176,7 +190,7 @@ Json column(const TuningSetup& setup, GainAxis axis, double share, const SweepEx
   const double low = known ? std::clamp(start / useful_range, range.low, range.high) : range.low;
   const bool in_full = !extent.in_full || share == *extent.in_full;
   const SweepOptions options{.axis = axis,
-                             .start = std::clamp(start, range.low, range.high),
+                             .start = start_within(start, range),
                              .low = low,
                              .high = range.high,
                              .ratio = setup.ratio,

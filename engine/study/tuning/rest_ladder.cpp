@@ -21,6 +21,7 @@ constexpr double coarse_step = 1.3;
 // Share of the first look: parts still to come may lower it this far.
 constexpr double looked_below = 0.9;
 constexpr double lowest = 1.0 / 8;
+constexpr double rounding = 1 + 1e-9;
 
 /// The conditions of a hold.
 struct Condition {
@@ -138,7 +139,6 @@ TuningSetup ladder_setup(const TuningPlan& plan, std::size_t situation, const Ha
 }
 
 const Rung* RestLadder::held(double stiffness) const {
-  constexpr double rounding = 1 + 1e-9;
   const auto holds = [&](const Rung& rung) {
     return !rung.swing && rung.stiffness <= stiffness * rounding;
   };
@@ -159,7 +159,7 @@ RestLadder climb_down(const TuningPlan& plan, const Stop& stop) {
   RestLadder out{plan.axis, damping_of(plan), {}};
   if (!(first > 0)) return out;
   for (double k = above_first_look * first; k > lowest * first;) {
-    out.rungs.push_back(climb.at(k));
+    if (k <= plan.unmeasured * rounding) out.rungs.push_back(climb.at(k));
     if (k < looked_below * first && out.held(k)) break;
     k = k > looked_below * first ? k / fine_step : k / coarse_step;
   }

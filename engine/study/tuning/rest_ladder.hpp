@@ -26,10 +26,10 @@ struct Rung {
   double longest = 0;          ///< s, until the slowest did
 };
 
-/// Tests of the gains under all conditions that a recommendation covers, from above the first
-/// look's result downwards: every contact, held by the study's hands and by a limp one, with the
-/// profile's friction and (unless that is trusted) without any, after knocks of 1, 2 and 4 times
-/// the usual strength.
+/// Gains tried for what they are recommended for, from above the first look's result (but no
+/// higher than TuningPlan::unmeasured, above which nothing is recommended) downwards: every
+/// contact, held by the study's hands and by a limp one, with the profile's friction and (unless
+/// that is trusted) without any, after knocks of 1, 2 and 4 times the usual strength.
 struct RestLadder {
   GainAxis axis = GainAxis::object;
   double damping = 0;

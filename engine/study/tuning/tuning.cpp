@@ -3,11 +3,15 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <utility>
 
 #include "engine/base/error.hpp"
+#include "engine/base/threads.hpp"
 #include "engine/body/body.hpp"
 #include "engine/settings/settings.hpp"
 #include "engine/study/stability/contact_stability.hpp"
@@ -115,21 +119,37 @@ std::string why_not_held(const TuningRequest& request, const TuningSituation& si
   return report.stable ? "" : "the probe did not come to rest";
 }
 
-/// The hardest situation of each kind that holds still.
-TuningContacts choose(const TuningRequest& request, const std::vector<ContactSituation>& found,
-                      const Stop& stop) {
+/// Of those of one kind, the hardest first: the first that holds still, and those before it.
+TuningContacts choose_of_kind(const TuningRequest& request, std::span<const ContactSituation> found,
+                              const Stop& stop) {
   TuningContacts out;
   for (const ContactSituation& each : found) {
-    auto& chosen = out.situations;
-    if (!chosen.empty() && chosen.back().contact.kind == each.kind) continue;
     if (stop()) throw Cancelled();
     const TuningSituation situation{each, push_into(request, each.separation),
                                     theory_factor(request, each.stiffness)};
     const std::string reason = why_not_held(request, situation);
-    if (reason.empty())
-      chosen.push_back(situation);
-    else
-      out.skipped.push_back({each.kind, reason});
+    if (reason.empty()) {
+      out.situations.push_back(situation);
+      break;
+    }
+    out.skipped.push_back({each.kind, reason});
+  }
+  return out;
+}
+
+/// The hardest situation of each kind that holds still.
+TuningContacts choose(const TuningRequest& request, const std::vector<ContactSituation>& found,
+                      const Stop& stop, unsigned threads) {
+  std::array<TuningContacts, std::size(all_contact_kinds)> of_kind;
+  run_parallel(of_kind.size(), threads, [&](std::size_t i) {
+    const auto own =
+        std::ranges::equal_range(found, all_contact_kinds[i], {}, &ContactSituation::kind);
+    of_kind[i] = choose_of_kind(request, {own.begin(), own.end()}, stop);
+  });
+  TuningContacts out;
+  for (const TuningContacts& each : of_kind) {
+    out.situations.insert(out.situations.end(), each.situations.begin(), each.situations.end());
+    out.skipped.insert(out.skipped.end(), each.skipped.begin(), each.skipped.end());
   }
   for (const ContactKind kind : all_contact_kinds)
     if (std::ranges::find(found, kind, &ContactSituation::kind) == found.end())
@@ -251,8 +271,9 @@ Budget counted_budget(const ServoSettings& servo) {
 }
 
 TuningContacts tuning_contacts(const TuningRequest& request, const Stop& stop,
-                               const std::function<void(double)>& progress) {
+                               const std::function<void(double)>& progress, unsigned threads) {
   SituationOptions options{.method = request.method, .seed = request.seed, .progress = progress};
+  options.threads = threads;
   options.hardness = [&](const FeltStiffness& felt) { return 1 / theory_factor(request, felt); };
   const auto found =
       request.path.empty()
@@ -261,7 +282,7 @@ TuningContacts tuning_contacts(const TuningRequest& request, const Stop& stop,
   if (found.empty())
     throw InputError(request.path.empty() ? "no contact of the two bodies was found"
                                           : "the probe is in contact at no pose of the trajectory");
-  auto chosen = choose(request, found, stop);
+  auto chosen = choose(request, found, stop, threads);
   if (chosen.situations.empty())
     throw InputError(
         "no contact was found in which a hand could hold the probe still; in the hardest one, " +
@@ -293,8 +314,8 @@ std::vector<GainAxis> main_axes(const TuningRequest& request) {
 GainAxis main_axis(const TuningRequest& request) { return main_axes(request).front(); }
 
 TuningPlan tuning_plan(const TuningRequest& request, const Stop& stop,
-                       const std::function<void(double)>& progress) {
-  TuningContacts contacts = tuning_contacts(request, stop, progress);
+                       const std::function<void(double)>& progress, unsigned threads) {
+  TuningContacts contacts = tuning_contacts(request, stop, progress, threads);
   const JointGains joint = joint_gains(request, contacts.situations);
   return {request, std::move(contacts), joint, main_axis(request)};
 }
@@ -312,6 +333,22 @@ TuningSetup tuning_setup(const TuningPlan& plan, std::size_t situation, const Ha
 TuningSetup tuning_setup(const TuningPlan& plan, std::size_t situation, const HandGrip& grip,
                          const DeviceProfile& device) {
   return setup_of(plan.request, device, plan.contacts.situations[situation], grip, plan.joint);
+}
+
+double driver_limit(const TuningPlan& plan, std::size_t situation, GainAxis axis,
+                    const DeviceProfile& device) {
+  Coupling c = plan.request.coupling;
+  c.k = c.k_t = c.k_r = 0;
+  set_gains(c, axis, 1, 0, plan.joint);
+  const Mat6 felt = plan.contacts.situations[situation].contact.stiffness.stiffness(c);
+  double least = infinity;
+  const auto add = [&](const ProfileValue& most, Eigen::Index first) {
+    const double block = largest_block(felt, first);
+    if (most.value > 0 && block > 0) least = std::min(least, most.value / block);
+  };
+  add(device.max_stiffness, 0);
+  if (device.max_torque.value > 0) add(device.max_rotational_stiffness, 3);
+  return least;
 }
 
 std::string tuning_facts(const TuningPlan& plan) { return about(plan).dump(); }

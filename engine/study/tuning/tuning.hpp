@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/numbers.hpp"
 #include "engine/haptics/loop/servo.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/settings/device_profile.hpp"
@@ -64,11 +65,12 @@ struct TuningContacts {
   std::vector<SkippedContact> skipped;
 };
 
-/// The contacts to study: the hardest of each kind in which a light hand can hold the probe still.
-/// Takes seconds; `progress` gets the fraction done, 0 to 1. Throws InputError if there is none,
-/// Cancelled.
+/// The contacts to study: of each kind the hardest in which a light hand can hold the probe still.
+/// Takes seconds; the same at any number of threads; `progress` gets the fraction done, 0 to 1.
+/// Throws InputError where there is none, Cancelled.
 TuningContacts tuning_contacts(const TuningRequest& request, const Stop& stop,
-                               const std::function<void(double)>& progress = {});
+                               const std::function<void(double)>& progress = {},
+                               unsigned threads = 1);
 
 /// A situation with a hand and the request's device, with gains well within the theoretical limit.
 TuningSetup tuning_setup(const TuningRequest& request, const TuningSituation& situation,
@@ -90,11 +92,14 @@ struct TuningPlan {
   /// Its recommendation, N/m; 0: none. At this stiffness the study holds the probe for seconds
   /// (LongHold).
   double held_stiffness = 0;
+  /// What theory of a handle that no hand holds, the driver and the encoder allow there, N/m: no
+  /// run can raise it.
+  double unmeasured = infinity;
 };
 /// Searches for the situations. Errors as for tuning_contacts.
 TuningPlan tuning_plan(const TuningRequest& request, const Stop& stop,
-                       const std::function<void(double)>& progress = {});
-/// The axes that a study of these gains sweeps, main_axes first.
+                       const std::function<void(double)>& progress = {}, unsigned threads = 1);
+/// What a study of these gains sweeps, main_axes first.
 std::vector<GainAxis> axes_of(const TuningRequest& request);
 /// The gains that may be recommended: of the object norm, of the classic coupling together (with
 /// both dampers, and with each alone), or of its translation if the device has no torque.
@@ -106,7 +111,11 @@ TuningSetup tuning_setup(const TuningPlan& plan, std::size_t situation, const Ha
 /// The same with another device than the plan's; hand, range and push stay those of the plan.
 TuningSetup tuning_setup(const TuningPlan& plan, std::size_t situation, const HandGrip& grip,
                          const DeviceProfile& device);
-/// Everything that a study of this plan depends on, as JSON (Study::about).
+/// The stiffness of an axis that is felt in a situation as the largest that the driver of the
+/// device takes, N/m | N·m/rad; infinite where the profile says none.
+double driver_limit(const TuningPlan& plan, std::size_t situation, GainAxis axis,
+                    const DeviceProfile& device);
+/// All that a study of this plan depends on, as JSON (Study::about).
 std::string tuning_facts(const TuningPlan& plan);
 
 }  // namespace sonde

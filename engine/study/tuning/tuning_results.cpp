@@ -173,6 +173,13 @@ bool is_friction(const std::string& key) {
   return key == "friction" || key == "rotational_friction";
 }
 
+TuningResults results_without_lines(const std::string& about) {
+  TuningResults out;
+  out.about = about;
+  read_about(Json::parse(about), out);
+  return out;
+}
+
 TuningResults read_tuning(const std::string& folder, const StudyFolder& study) {
   TuningResults out;
   out.about = study.about;

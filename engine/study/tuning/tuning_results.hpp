@@ -82,5 +82,8 @@ constexpr const char* ladder_part = "rest";
 /// Reads a complete study of kind "tune". Throws InputError if a part is missing or was not written
 /// by a study; `folder` is for the message.
 TuningResults read_tuning(const std::string& folder, const StudyFolder& study);
+/// What a study is about, without any line yet. Throws what the parser throws where no study wrote
+/// it.
+TuningResults results_without_lines(const std::string& about);
 
 }  // namespace sonde

@@ -28,6 +28,7 @@ struct PartOf {
   double times = 1;
   const char* end = "";  ///< the varied end in the file's name
   bool first_look = false;
+  double most = infinity;  ///< N/m: nothing above that could be recommended, so it is not looked at
 };
 
 std::string part_name(const TuningPlan& plan, const PartOf& part) {
@@ -42,6 +43,19 @@ DeviceProfile changed(DeviceProfile device, const PartOf& part) {
     if (part.assumed && std::string_view(key.key) == part.assumed)
       (device.*key.value).value *= part.times;
   return device;
+}
+
+/// No sweep goes further above what the driver takes than by this: nothing there can be rendered,
+/// so nothing is recommended. More than stability_margin, so that a boundary that decides is found,
+/// and that of a value half or twice as large too. Lost: how far above that a boundary lies.
+constexpr double beyond_driver = 4;
+
+/// N/m, also of a rotation, as TuningSetup has it.
+double most_of_use(const TuningPlan& plan, const PartOf& part, const TuningSetup& setup,
+                   const DeviceProfile& device) {
+  const double per = part.axis == GainAxis::rotation ? setup.rotation_per_translation : 1;
+  const double driver = driver_limit(plan, part.situation, part.axis, device) / per;
+  return std::min(beyond_driver * driver, stability_margin * part.most);
 }
 
 double coarser(double ratio, int times) { return std::min(2.0, elementary::pow(ratio, times)); }
@@ -79,8 +93,9 @@ StudyPart study_part(const std::shared_ptr<const TuningPlan>& plan, const PartOf
             const bool nominal = part.assumed == nullptr;
             TuningSetup setup = tuning_setup(*plan, part.situation, *part.grip, device);
             if (part.first_look) setup.ratio = std::max(setup.ratio, first_look_ratio);
-            // The results of an axis alone, or with another damper, are only for the map, and
-            // nothing is recommended from them.
+            setup.high = std::clamp(most_of_use(*plan, part, setup, device), setup.low, setup.high);
+            // What an axis could do alone, or with another damper, is for the map, and nothing is
+            // recommended by it.
             const bool alone = is_alone(*plan, part.axis);
             const bool aside = !part.first_look && part.axis != plan->axis;
             if (aside) setup.ratio = coarser(setup.ratio, 16);
@@ -131,10 +146,20 @@ std::vector<PartOf> parts_of(const TuningPlan& plan) {
   return parts;
 }
 
-/// A coarse part in a light hand.
-PartOf first_look_at(std::size_t situation, GainAxis axis, double share) {
-  PartOf part{situation, &hand_grips[0], axis, {share}};
+/// Of the dampings that may be recommended, one; and a first look there.
+struct Look {
+  GainAxis axis = GainAxis::object;
+  double share = 0;         ///< of the largest damping
+  double unmeasured = 0;    ///< as TuningPlan has it
+  StudyFolder result = {};  ///< of one part, at the hardest contact
+  double allowed = 0;       ///< N/m, there; at most
+};
+
+/// Coarse, in a light hand.
+PartOf first_look_at(std::size_t situation, const Look& look, double most) {
+  PartOf part{situation, &hand_grips[0], look.axis, {look.share}};
   part.first_look = true;
+  part.most = most;
   return part;
 }
 
@@ -144,44 +169,62 @@ Study study_of(const std::shared_ptr<const TuningPlan>& plan, const std::vector<
   return study;
 }
 
-/// A first look at one contact, at one damping.
-struct Look {
-  GainAxis axis = GainAxis::object;
-  double share = 0;    ///< of the largest damping
-  StudyFolder result;  ///< of one part
-  double allowed = 0;  ///< N/m
-};
+/// What would be recommended if every run held.
+double unmeasured_limit(const TuningPlan& plan, GainAxis axis, double share) {
+  TuningResults results = results_without_lines(tuning_facts(plan));
+  for (std::size_t i = 0; i < plan.contacts.situations.size(); ++i) {
+    const TuningSetup setup = tuning_setup(plan, i, hand_grips[0]);
+    TuningColumn column;
+    column.damping = share * most_damping(setup, axis);
+    column.theory_released = theory_limits(setup, axis, share).released;
+    column.stable.stiffness = column.good.stiffness = infinity;
+    TuningLine line;
+    line.situation = i;
+    line.axis = axis;
+    line.columns.push_back(column);
+    results.lines.push_back(line);
+  }
+  return recommend(results, axis)->stiffness;
+}
+
+std::vector<Look> looks_to_take(const TuningPlan& plan) {
+  const TuningSetup setup = tuning_setup(plan, hardest(plan), hand_grips[0]);
+  std::vector<Look> looks;
+  for (const GainAxis axis : main_axes(plan.request))
+    for (const double share : damping_shares(setup, axis))
+      looks.push_back({.axis = axis, .share = share});
+  return looks;
+}
 
 /// Looks at the hardest situation at each damping. The one that allows most comes first, among
 /// equal ones the least damping, and both dampers before each alone. Theory alone would choose
 /// dampings at which the real loop chatters.
 std::vector<Look> looks_at_hardest(const std::shared_ptr<const TuningPlan>& plan, unsigned threads,
                                    const Stop& stop) {
-  const std::size_t where = hardest(*plan);
-  const TuningSetup setup = tuning_setup(*plan, where, hand_grips[0]);
-  std::vector<Look> looks;
-  for (const GainAxis axis : main_axes(plan->request))
-    for (const double share : damping_shares(setup, axis))
-      looks.push_back({.axis = axis, .share = share, .result = {}});
+  std::vector<Look> looks = looks_to_take(*plan);
   run_parallel(looks.size(), threads, [&](std::size_t i) {
     Look& look = looks[i];
-    const Study study = study_of(plan, {first_look_at(where, look.axis, look.share)});
+    look.unmeasured = look.allowed = unmeasured_limit(*plan, look.axis, look.share);
+    if (looks.size() == 1) return;  // nothing to choose from
+    const Study study = study_of(plan, {first_look_at(hardest(*plan), look, look.unmeasured)});
     look.result = compute_at_once(study, 1, stop);
-    look.allowed = recommend(read_tuning("", look.result), look.axis)->stiffness;
+    const auto there = recommend(read_tuning("", look.result), look.axis);
+    look.allowed = std::min(look.unmeasured, there->stiffness);
   });
   std::ranges::stable_sort(looks, std::greater{}, &Look::allowed);
   return looks;
 }
 
-/// The look at the hardest situation, and those at the other situations at its damping.
-StudyFolder first_look(const std::shared_ptr<const TuningPlan>& plan, const Look& at_hardest,
+/// The one at the hardest situation, and the same of the others at its damping.
+StudyFolder first_look(const std::shared_ptr<const TuningPlan>& plan, const Look& look,
                        unsigned threads, const Stop& stop) {
-  std::vector<PartOf> others;
+  std::vector<PartOf> parts;
   for (std::size_t i = 0; i < plan->contacts.situations.size(); ++i)
-    if (i != hardest(*plan)) others.push_back(first_look_at(i, at_hardest.axis, at_hardest.share));
-  StudyFolder out = compute_at_once(study_of(plan, others), threads, stop);
-  out.names.push_back(at_hardest.result.names.front());
-  out.results.push_back(at_hardest.result.results.front());
+    if (i != hardest(*plan) || look.result.names.empty())
+      parts.push_back(first_look_at(i, look, look.allowed));
+  StudyFolder out = compute_at_once(study_of(plan, parts), threads, stop);
+  out.names.insert(out.names.end(), look.result.names.begin(), look.result.names.end());
+  out.results.insert(out.results.end(), look.result.results.begin(), look.result.results.end());
   return out;
 }
 
@@ -196,7 +239,7 @@ std::shared_ptr<const TuningPlan> study_plan(const TuningRequest& request, unsig
       if (progress) progress(from + (to - from) * done);
     };
   };
-  const auto plan = std::make_shared<TuningPlan>(tuning_plan(request, stop, part(0, 0.5)));
+  const auto plan = std::make_shared<TuningPlan>(tuning_plan(request, stop, part(0, 0.5), threads));
   const std::vector<Look> looks = looks_at_hardest(plan, threads, stop);
   part(0.5, 1)(0.5);
   // The best gains in the hardest contact may fail in another, and no other contact allows more
@@ -209,6 +252,7 @@ std::shared_ptr<const TuningPlan> study_plan(const TuningRequest& request, unsig
     plan->axis = look.axis;
     plan->damping_share = look.share;
     plan->held_stiffness = stiffness;
+    plan->unmeasured = look.unmeasured;
     plan->first_look = std::move(all);
   }
   return plan;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Renderings made up by hand, of which it is known who is smoother; the sign test by its sums.
+// Renderings made up by hand, of which it is known who is smoother; the sign test by its sums, by
+// Boost.Math's binomial distribution, and by the same sums of log factorials, term by term.
 #include "engine/study/comparison/claims.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 
 #include "engine/geometry/random.hpp"
@@ -38,6 +41,7 @@ TEST(Claims, a_smaller_force_is_no_smoother_one) {
     const TestedClaim claim = claim_of(rubbing(3, 0.01), rubbing(1, 0.01), which);
     EXPECT_EQ(claim.finding, Finding::undecided);
     EXPECT_EQ(claim.for_it + claim.against_it, 0) << "within 2 %";
+    EXPECT_EQ(claim.alike, 16);
   }
 }
 
@@ -51,10 +55,18 @@ TEST(Claims, what_trembles_less_is_smoother_and_could_have_been_the_other) {
   EXPECT_LT(supported.chance, 1e-4);
 }
 
-TEST(Claims, what_was_not_seen_is_undecided) {
-  EXPECT_EQ(claim_of({}, {}).finding, Finding::undecided);
-  EXPECT_EQ(claim_of(rubbing(1, 0.1), rubbing(1, 0.1), 3).finding, Finding::undecided)
+TEST(Claims, of_what_there_was_no_trial_there_is_no_finding) {
+  EXPECT_EQ(claim_of({}, {}).finding, Finding::none);
+  EXPECT_EQ(claim_of(rubbing(1, 0.1), rubbing(1, 0.1), 3).finding, Finding::none)
       << "nobody popped through";
+  Comparison c;
+  c.of_pdt.stiffness.limits.push_back({4, 5.0});
+  EXPECT_EQ(tested_claims(c).at(5).finding, Finding::none) << "of one method alone";
+  c.of_pdg.stiffness.limits.push_back({4, 5.0});
+  EXPECT_EQ(tested_claims(c).at(5).finding, Finding::undecided) << "alike";
+}
+
+TEST(Claims, a_split_that_chance_may_make_is_undecided) {
   Comparison c;
   c.of_pdt.discontinuities.pop_throughs = 6;
   EXPECT_EQ(tested_claims(c).at(3).finding, Finding::supported);
@@ -104,6 +116,32 @@ TEST(Claims, the_sign_test_sums_up_the_binomial) {
   EXPECT_NEAR(sign_test(9, 3), 2 * (220 + 66 + 12 + 1) / 4096.0, 1e-12);
   EXPECT_EQ(sign_test(3, 3), 1);
   EXPECT_EQ(sign_test(0, 0), 1);
+}
+
+double log_factorial(int n) { return std::lgamma(n + 1.0); }
+
+TEST(Claims, the_sign_test_is_that_of_a_binomial_distribution) {
+  for (const int n : {1, 2, 7, 20, 99, 1000, 50'000})
+    for (const double share : {0.5, 0.501, 0.52, 0.6, 0.8, 1.0}) {
+      const int most = std::max((n + 1) / 2, static_cast<int>(share * n));
+      const boost::math::binomial_distribution<> fair(n, 0.5);
+      const double reference =
+          std::min(1.0, 2 * boost::math::cdf(boost::math::complement(fair, most - 1)));
+      const double chance = sign_test(n - most, most);
+      EXPECT_NEAR(chance, reference, 1e-9 * reference + 1e-300) << n << ' ' << most;
+      EXPECT_EQ(chance, sign_test(most, n - most));
+      if (n > 1000) continue;
+      double sum = 0;
+      for (int k = most; k <= n; ++k)
+        sum +=
+            std::exp(log_factorial(n) - log_factorial(k) - log_factorial(n - k) - n * std::log(2));
+      EXPECT_NEAR(chance, std::min(1.0, 2 * sum), 1e-9 * sum + 1e-300) << n << ' ' << most;
+    }
+}
+
+TEST(Claims, the_sign_test_of_a_million_trials_is_one_pass) {
+  // Reference: the normal distribution, with the half that a whole number needs.
+  EXPECT_NEAR(sign_test(499'000, 501'000), std::erfc((1000 - 0.5) / std::sqrt(1e6 / 2)), 1e-6);
 }
 
 }  // namespace

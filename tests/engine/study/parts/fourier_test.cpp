@@ -34,5 +34,15 @@ TEST(Fourier, is_its_definition_at_any_length) {
   }
 }
 
+TEST(Fourier, of_several_signals_of_one_length_is_that_of_each) {
+  Random random(2);
+  const FourierTransform transform(300);
+  for (int i = 0; i < 3; ++i) {
+    std::vector<double> x(300);
+    for (double& each : x) each = random.uniform(-1, 1);
+    EXPECT_EQ(transform(x), fourier_transform(x));
+  }
+}
+
 }  // namespace
 }  // namespace sonde

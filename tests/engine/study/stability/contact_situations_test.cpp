@@ -52,7 +52,9 @@ TEST(ContactSituations, of_a_box_on_a_box_are_ordered_and_the_same_each_time) {
   const auto probe = test::body(test::box({0.06, 0.05, 0.04}));
   const auto fixed = test::body(test::box({0.2, 0.2, 0.1}));
   const auto first = find_situations({probe, fixed}, {}, 3, options(), never);
-  const auto second = find_situations({probe, fixed}, {}, 3, options(), never);
+  SituationOptions on_threads = options();
+  on_threads.threads = 3;
+  const auto second = find_situations({probe, fixed}, {}, 3, on_threads, never);
   ASSERT_EQ(first.size(), second.size());
   ASSERT_FALSE(first.empty());
   std::map<ContactKind, int> of_kind;

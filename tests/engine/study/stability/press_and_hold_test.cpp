@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "engine/study/stability/sampled_stability.hpp"
 #include "tests/support/shapes.hpp"
@@ -52,6 +53,29 @@ TEST(PressAndHold, a_quiet_hold_is_described_as_it_is) {
   EXPECT_EQ(r.jumps, 0);
   EXPECT_EQ(r.pop_throughs, 0);
   EXPECT_EQ(r.failures, 0);
+}
+
+// Reference: the whole hold.
+TEST(PressAndHold, that_ends_as_soon_as_its_outcome_is_certain_has_the_same_outcome) {
+  const double K = largest_stable_stiffness({0.1, 1, 0, 1e-3, 0});
+  int lost = 0;
+  for (const double times : {0.3, 0.9, 0.97, 1.02, 1.1, 2.0, 8.0})
+    for (const double knock : {0.1, 1.0, 4.0}) {
+      Press light = press(2);
+      light.knock = knock;
+      const HoldReport whole = report(box_on_wall(times * K), light);
+      ClosedLoop loop(box_on_wall(times * K));
+      const HoldReport ended = press_and_hold(loop, light, HoldQuestion::outcome);
+      SCOPED_TRACE(std::to_string(times) + ' ' + std::to_string(knock));
+      EXPECT_EQ(ended.stable, whole.stable);
+      EXPECT_EQ(ended.growth < light.decay, whole.growth < light.decay);
+      EXPECT_LE(ended.growth, whole.growth);
+      if (whole.stable) {
+        EXPECT_EQ(ended.growth, whole.growth);
+      }
+      lost += !whole.stable;
+    }
+  EXPECT_GT(lost, 5);
 }
 
 TEST(PressAndHold, beyond_the_eigenvalues_it_grows_and_the_motors_give_energy) {

@@ -51,6 +51,34 @@ TEST(TuningStudy, the_first_look_is_as_near_as_it_says) {
   EXPECT_GE(coarse.stiffness * first_look_ratio, fine.stiffness);
 }
 
+// References: the recommendation of a study whose every run holds; the "driver" among its limits.
+TEST(TuningStudy, nothing_is_looked_at_that_could_not_be_recommended) {
+  for (const Coupling::Mode mode : {Coupling::Mode::object, Coupling::Mode::classic}) {
+    TuningRequest request = boxes_held_by("sigma.7");
+    request.coupling.mode = mode;
+    const auto plan = plan_of(request);
+    ASSERT_TRUE(std::isfinite(plan->unmeasured));
+    EXPECT_LE(plan->held_stiffness, plan->unmeasured);
+    const TuningResults first = read_tuning("", plan->first_look);
+    for (const TuningLine& line : first.lines)
+      for (const SweepPoint& run : line.columns.front().runs)
+        EXPECT_LE(run.stiffness, 1.000001 * stability_margin * plan->unmeasured);
+    const RestLadder ladder = climb_down(*plan, never);
+    ASSERT_FALSE(ladder.rungs.empty());
+    EXPECT_LE(ladder.rungs.front().stiffness,
+              std::max(plan->unmeasured, plan->held_stiffness) * 1.000001);
+    double driver = INFINITY;
+    for (std::size_t i = 0; i < plan->contacts.situations.size(); ++i)
+      driver = std::min(driver, driver_limit(*plan, i, plan->axis, request.device));
+    EXPECT_GE(driver * 1.000001, plan->unmeasured);
+    const AxisGains gains = *recommend(first, plan->axis);
+    for (const GainLimit& limit : gains.limits)
+      if (limit.reason == "driver") {
+        EXPECT_NEAR(limit.stiffness / driver, 1, 1e-12);
+      }
+  }
+}
+
 TEST(TuningStudy, what_finished_parts_allow_only_falls_as_parts_come_in) {
   const auto plan = plan_of(boxes_held_by("sigma.7"));
   const StudyFolder whole = compute_at_once(plan_tuning(plan), 2, never);
