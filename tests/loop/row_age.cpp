@@ -5,13 +5,13 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/platform/processor_time.hpp"
 #include "engine/base/quantile.hpp"
 #include "engine/body/body.hpp"
 #include "engine/geometry/chart.hpp"
 #include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "engine/haptics/loop/contact_feed.hpp"
 #include "engine/haptics/loop/local_contacts.hpp"
+#include "engine/platform/processor_time.hpp"
 #include "engine/proximity/sweep/motion.hpp"
 
 namespace sonde {

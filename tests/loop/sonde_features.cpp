@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/platform/processor_time.hpp"
 #include "engine/base/quantile.hpp"
 #include "engine/body/body.hpp"
 #include "engine/haptics/coupling/coupler.hpp"
@@ -21,6 +20,7 @@
 #include "engine/penetration/contact/contact_clusters.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/penetration/search/static_search.hpp"
+#include "engine/platform/processor_time.hpp"
 #include "engine/recording/tick_log.hpp"
 #include "tests/loop/tick_cases.hpp"
 

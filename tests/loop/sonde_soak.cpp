@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <thread>
 
+#include "engine/haptics/loop/servo.hpp"
 #include "engine/platform/processor_time.hpp"
 #include "engine/platform/wakeful_processors.hpp"
-#include "engine/haptics/loop/servo.hpp"
 #include "engine/scene/path_hand.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/scene/scene.hpp"

@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "engine/platform/processor_time.hpp"
 #include "engine/penetration/search/coherent.hpp"
+#include "engine/platform/processor_time.hpp"
 #include "tests/loop/real_cases.hpp"
 #include "tests/loop/tick_cases.hpp"
 #include "tests/loop/tick_table.hpp"

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "engine/platform/processor_time.hpp"
 #include "engine/penetration/bound/lower_bound.hpp"
 #include "engine/penetration/descent/descent.hpp"
 #include "engine/penetration/search/static_search.hpp"
+#include "engine/platform/processor_time.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 
 namespace sonde::reference {

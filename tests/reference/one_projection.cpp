@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "engine/platform/processor_time.hpp"
 #include "engine/penetration/search/coherent.hpp"
+#include "engine/platform/processor_time.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 
 namespace sonde::reference {

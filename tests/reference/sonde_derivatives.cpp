@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "engine/platform/processor_time.hpp"
 #include "engine/base/quantile.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/penetration/search/static_search.hpp"
 #include "engine/penetration/sensitivity/wrench_derivative.hpp"
+#include "engine/platform/processor_time.hpp"
 #include "tests/reference/cases.hpp"
 #include "tests/reference/depths_file.hpp"
 #include "tests/support/differenced_wrench.hpp"

@@ -6,8 +6,8 @@
 #include <thread>
 #include <utility>
 
-#include "engine/platform/real_time.hpp"
 #include "engine/body/body.hpp"
+#include "engine/platform/real_time.hpp"
 #include "engine/proximity/queries/distance.hpp"
 
 namespace sonde {

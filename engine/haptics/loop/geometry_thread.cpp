@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/haptics/loop/geometry_thread.hpp"
 
-#include "engine/platform/real_time.hpp"
 #include "engine/haptics/loop/loop_tuning.hpp"
+#include "engine/platform/real_time.hpp"
 
 namespace sonde {
 namespace {

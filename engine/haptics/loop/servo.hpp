@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <memory>
 
-#include "engine/platform/real_time.hpp"
 #include "engine/haptics/coupling/coupling.hpp"
 #include "engine/haptics/loop/hand_loop.hpp"
 #include "engine/haptics/loop/time_histogram.hpp"
 #include "engine/penetration/contact/separation.hpp"
 #include "engine/penetration/search/pair.hpp"
+#include "engine/platform/real_time.hpp"
 
 namespace sonde {
 

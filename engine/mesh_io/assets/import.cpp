@@ -16,8 +16,8 @@
 #include <system_error>
 
 #include "engine/base/progress.hpp"
-#include "engine/platform/child_process.hpp"
 #include "engine/mesh_io/assets/packed_soup.hpp"
+#include "engine/platform/child_process.hpp"
 
 namespace sonde {
 namespace {

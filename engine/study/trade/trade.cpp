@@ -6,12 +6,12 @@
 
 #include "engine/base/error.hpp"
 #include "engine/base/numbers.hpp"
-#include "engine/platform/processor_time.hpp"
 #include "engine/body/body.hpp"
 #include "engine/geometry/random.hpp"
 #include "engine/penetration/bound/lower_bound.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/penetration/search/static_search.hpp"
+#include "engine/platform/processor_time.hpp"
 #include "engine/study/trade/trade_extremes.hpp"
 #include "engine/study/trade/trade_results.hpp"
 

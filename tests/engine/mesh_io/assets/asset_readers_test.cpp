@@ -12,8 +12,8 @@
 
 #include "engine/geometry/mass.hpp"
 #include "engine/geometry/mass_integrals.hpp"
-#include "engine/platform/child_process.hpp"
 #include "engine/mesh_io/assets/packed_soup.hpp"
+#include "engine/platform/child_process.hpp"
 #include "tests/engine/mesh_io/assets/asset_files.hpp"
 #include "tests/engine/mesh_io/mesh_checks.hpp"
 #include "tests/support/locales.hpp"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/platform/processor_time.hpp"
 #include "engine/geometry/rotation.hpp"
+#include "engine/platform/processor_time.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/settings/device_profile.hpp"
