@@ -57,12 +57,12 @@ void check(const InsertOptions& options) {
 /// Square to the axis: as asked for, or along the coordinate that the axis has least of.
 Vec3 lateral_of(const InsertOptions& options, const Vec3& axis) {
   if (options.lateral.empty()) return lateral_to(axis);
-  const Vec3 wanted = vector_of(options.lateral).stableNormalized();
-  if (!wanted.allFinite() || !(wanted.norm() > 0))
+  const Vec3 wanted = vector_of(options.lateral);
+  if (!wanted.allFinite() || wanted.isZero(0))
     throw UsageError("--lateral must be three finite numbers, not all 0");
-  const Vec3 square = wanted - axis.dot(wanted) * axis;
-  if (!(square.norm() > 1e-6)) throw UsageError("--lateral must not lie along the --axis");
-  return square.normalized();
+  const std::optional<Vec3> square = square_to(axis, wanted);
+  if (!square) throw UsageError("--lateral must not lie along the --axis");
+  return *square;
 }
 
 std::vector<Pose> poses_of(const std::vector<TimedPose>& path) {

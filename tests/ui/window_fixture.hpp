@@ -13,6 +13,8 @@
 #include <QSettings>
 #include <QSurfaceFormat>
 #include <QTest>
+#include <QThread>
+#include <QTimer>
 #include <clocale>
 #include <cmath>
 #include <cstdlib>
@@ -71,6 +73,7 @@ inline bool wait_until(const std::function<bool()>& holds) {
   while (!holds()) {
     if (clock.elapsed() > patience_ms) return false;
     QApplication::processEvents(QEventLoop::AllEvents, 10);
+    QThread::usleep(500);  // leaves the processor to who is waited for, and to other tests
   }
   return true;
 }
@@ -222,6 +225,19 @@ class WindowTest : public ::testing::Test {
             Qt::KeyboardModifiers keys) {
     QMouseEvent event(type, at, button, held, keys);
     QApplication::sendEvent(window->viewport().canvas(), &event);
+  }
+  /// Until all is laid out and drawn: some turns of a clock like the window's without a picture.
+  void settle() {
+    std::size_t frames = window->frames();
+    int quiet = 0;
+    QTimer clock;
+    clock.setTimerType(Qt::PreciseTimer);
+    QObject::connect(&clock, &QTimer::timeout, [&] {
+      quiet = window->frames() == frames ? quiet + 1 : 0;
+      frames = window->frames();
+    });
+    clock.start(16);
+    EXPECT_TRUE(wait_until([&] { return quiet >= 4; })) << "it never comes to rest";
   }
   QImage picture() {
     window->viewport().invalidate();

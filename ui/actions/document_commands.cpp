@@ -50,10 +50,15 @@ std::shared_ptr<const Body> shared(const std::shared_ptr<const Bodies>& bodies, 
 
 Content DocumentControl::now() const {
   Content content = document_.content();
+  content.here = here();
+  return content;
+}
+
+Pose DocumentControl::here() const {
   // What is on show may still be the bodies of before an undo.
   Session* session = view_.session();
-  if (session && content.bodies == on_show_) content.here = session->device_pose();
-  return content;
+  const bool on_show = session && document_.content().bodies == on_show_;
+  return on_show ? session->device_pose() : document_.content().here;
 }
 
 void DocumentControl::place(const Pose& X_FM, const QString& what, bool mergeable) {
@@ -108,12 +113,12 @@ void DocumentControl::start_from_here() {
 
 void DocumentControl::copy_pose() {
   if (view_.session())
-    QApplication::clipboard()->setText(QString::fromStdString(pose_text(now().here)));
+    QApplication::clipboard()->setText(QString::fromStdString(pose_text(here())));
 }
 
 void DocumentControl::copy_matrix() {
   if (view_.session())
-    QApplication::clipboard()->setText(QString::fromStdString(matrix_text(now().here)));
+    QApplication::clipboard()->setText(QString::fromStdString(matrix_text(here())));
 }
 
 void DocumentControl::paste_pose() {
@@ -238,7 +243,7 @@ void DocumentControl::take_body(Role role, const QString& what,
 /// The session is made first: a mesh that cannot be read is no step.
 void DocumentControl::change_bodies(const QString& what, const Content& wanted,
                                     std::function<LoadedScene(const Progress&)> open) {
-  document_.set_here(now().here);
+  document_.set_here(here());
   opener_.make(
       what,
       [open = std::move(open), here = wanted.here](const Progress& progress) {

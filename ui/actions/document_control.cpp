@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "engine/base/error.hpp"
-#include "engine/scene/write_scene.hpp"
 #include "ui/actions/meshes_dialog.hpp"
 #include "ui/actions/opener.hpp"
 #include "ui/document/paths_asked_for.hpp"
@@ -169,7 +168,7 @@ void DocumentControl::opened(const Session& session) {
   index_on_show_ = 0;
   document_.open({opened.scene, opened.here.value_or(opened.start), std::move(bodies)});
   recovery_.clear();
-  kept_ = scene_text(opened.scene, "/") + pose_text(document_.content().here);
+  kept_ = document_.text() + pose_text(document_.content().here);
   showing_ = reading_scene_ = false;
   const Scene& scene = opened.scene;
   remember_recent(scene.file.empty()
@@ -213,11 +212,11 @@ void DocumentControl::reload(const QString& file, const QString& what,
         // What was changed while it was read counts: once more, from there.
         if (document_.text() != before) return file_changed(file);
         const CameraPlace camera = view_.camera();
-        const Pose here = now().here;
+        const Pose stays = here();
         view_.show(std::move(drawn), false);
         view_.look(camera);
-        view_.place(here);
-        document_.set_here(here);
+        view_.place(stays);
+        document_.set_here(stays);
         // A mesh that was read again leaves the scene as it was, saved or not.
         if (was_modified && document_.text() == before) document_.set_saved_text(saved);
         kept_.clear();
@@ -231,8 +230,7 @@ void DocumentControl::reload(const QString& file, const QString& what,
 // ---- Recovery
 
 std::string DocumentControl::text_for_recovery() const {
-  const Content content = now();
-  return scene_text(content.scene, "/") + pose_text(content.here);
+  return document_.text() + pose_text(here());
 }
 
 Recovered DocumentControl::for_recovery() const {

@@ -97,6 +97,7 @@ class DocumentControl : public QObject {
 
  private:
   Content now() const;
+  Pose here() const;  ///< X_FM, of the probe now
   void apply(const Content& from, const Content& to);
   void show_bodies(const Content& wanted);
   void change_bodies(const QString& what, const Content& wanted,

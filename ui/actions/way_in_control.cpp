@@ -9,8 +9,10 @@
 #include <thread>
 #include <utility>
 
+#include "engine/base/error.hpp"
 #include "engine/body/body.hpp"
 #include "engine/queries/body_queries.hpp"
+#include "engine/text/number_text.hpp"
 #include "ui/base/format.hpp"
 #include "ui/document/same_pose.hpp"
 #include "ui/document/session.hpp"
@@ -23,7 +25,16 @@ namespace {
 constexpr double to_degrees = 180 / std::numbers::pi;
 constexpr int step_ms = 30;
 constexpr double play_seconds = 4, seek_seconds = 0.4;  // for all of the way
+constexpr double most_steps = 1e5, most_across = 501;
 constexpr double seen_about = 0.1;  // of the probe's radius: what is seen around the first contact
+
+/// A number of things, as it was typed.
+std::size_t count_of(double typed, const char* what, double most) {
+  if (typed >= 1 && typed <= most && typed == std::floor(typed))
+    return static_cast<std::size_t>(typed);
+  throw InputError(std::string("“") + what + "” takes a whole number from 1 to " +
+                   number_text(most, 15));
+}
 
 double room_of(const InsertionStep& step) {
   if (!step.clearance.overlapping) return step.clearance.distance;
@@ -59,11 +70,12 @@ struct WayInControl::Work {
   Insertion found = {};
 
   void run(const Progress& progress) {
+    const std::size_t steps = count_of(wanted.steps, "steps", most_steps);
     std::vector<Pose> poses;
     for (const TimedPose& at : path) poses.push_back(at.pose);
     way = wanted.along_path ? way_through(pair, poses)
                             : way_along(pair, start, wanted.axis, wanted.travel, wanted.twist);
-    found = insertion(pair, way, wanted.steps, coupling, progress);
+    found = insertion(pair, way, steps, coupling, progress);
   }
 };
 
@@ -80,13 +92,19 @@ struct WayInControl::MapWork {
     way = way_along(pair, start, wanted.axis, wanted.travel, wanted.twist);
     map.wanted = way.travel.back();
     map.at.axis = wanted.axis.stableNormalized();
-    map.at.lateral = lateral_to(map.at.axis);
+    map.at.lateral = lateral();
     map.at.largest_offset = range.offset;
     map.at.largest_tilt = range.tilt;
-    map.at.offsets = map.at.tilts = range.across;
+    map.at.offsets = map.at.tilts = count_of(range.across, "of each", most_across);
     const unsigned threads =
         std::max(2u, std::thread::hardware_concurrency()) - 1;  // but the loop's
     map.free = free_travels(pair, way, map.at, threads, progress);
+  }
+
+  Vec3 lateral() const {
+    if (!range.lateral) return lateral_to(map.at.axis);
+    if (const auto square = square_to(map.at.axis, *range.lateral)) return *square;
+    throw InputError("aside of the axis takes three numbers that do not lie along it");
   }
 };
 
@@ -105,8 +123,7 @@ WayInControl::WayInControl(Viewport& viewport, QMainWindow& window, QDockWidget&
   panel_->first_wanted = [this] { to_first_contact(); };
   panel_->play_wanted = [this](bool on) { play(on); };
   panel_->sought = [this](double travel) { seek(travel); };
-  panel_->face_wanted = [this](bool on) { pick(on ? Picking::face : Picking::nothing); };
-  panel_->edge_wanted = [this](bool on) { pick(on ? Picking::edge : Picking::nothing); };
+  panel_->pick_wanted = [this](WayPick what) { pick(what); };
   panel_->map_asked = [this] { compute_map(); };
   panel_->map_stop_wanted = [this] { map_job_.cancel(); };
   panel_->map_place_wanted = [this](const MapPlace& place) { to_map_place(place); };
@@ -121,7 +138,7 @@ void WayInControl::attach(Session* session, bool same_document) {
   job_.abandon();
   flight_.stop();
   play(false);
-  pick(Picking::nothing);
+  pick(WayPick::nothing);
   found_.reset();
   sent_.reset();
   panel_->show_progress({});
@@ -298,22 +315,23 @@ void WayInControl::to_first_contact() {
   flight_.show(place);
 }
 
-void WayInControl::pick(Picking what) {
+void WayInControl::pick(WayPick what) {
   picking_ = what;
-  panel_->show_picking(what == Picking::face, what == Picking::edge);
+  panel_->show_picking(what);
 }
 
 bool WayInControl::click(QPointF at) {
-  if (picking_ == Picking::nothing) return false;
+  if (picking_ == WayPick::nothing) return false;
   const auto hit = viewport_.pick(at);
   if (!hit) return true;
-  const Vec3 found = picking_ == Picking::face ? Vec3(-hit->normal) : hit->edge;
-  pick(Picking::nothing);
-  if (!(found.norm() > 0)) {
+  const bool face = picking_ == WayPick::axis_face || picking_ == WayPick::side_face;
+  const bool side = picking_ == WayPick::side_face || picking_ == WayPick::side_edge;
+  const Vec3 found = face ? Vec3(-hit->normal) : hit->edge;
+  pick(WayPick::nothing);
+  if (!(found.norm() > 0))
     panel_->show_reason(QStringLiteral("There is no edge next to that place."));
-    return true;
-  }
-  panel_->show_axis(found);
+  else
+    side ? panel_->show_side(found) : panel_->show_axis(found);
   return true;
 }
 

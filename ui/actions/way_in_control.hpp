@@ -21,6 +21,7 @@ namespace sonde::ui {
 class Session;
 class Viewport;
 class WayInPanel;
+enum class WayPick;
 
 /// The way in: what `sonde insert` says of the open scene, from where the probe is; computed beside
 /// everything else, played and sought by the probe itself.
@@ -53,10 +54,9 @@ class WayInControl : public QObject {
   const OffsetMap& map() const { return map_; }
 
  private:
-  enum class Picking { nothing, face, edge };
   struct Work;
   struct MapWork;
-  void pick(Picking what);
+  void pick(WayPick what);
   void take(Work& work);
   void take_map(MapWork& work);
   QString summary() const;
@@ -71,7 +71,7 @@ class WayInControl : public QObject {
   Session* session_ = nullptr;
   Job job_, map_job_;
   Flight flight_;
-  Picking picking_ = Picking::nothing;
+  WayPick picking_{};  ///< nothing
   InsertionWay way_;
   std::optional<Insertion> found_;
   InsertionWay map_way_;  ///< that the map is about

@@ -50,12 +50,14 @@ Document::Document() { stack_.setUndoLimit(most_steps); }
 void Document::open(Content content) {
   stack_.clear();
   content_ = std::move(content);
+  text_.reset();
   saved_ = text();
 }
 
 void Document::close() {
   stack_.clear();
   content_ = {};
+  text_.reset();
   saved_.clear();
 }
 
@@ -68,6 +70,7 @@ void Document::apply(const Content& from, const Content& to) {
   std::filesystem::path file = content_.scene.file;
   std::string name = content_.scene.name;
   content_ = to;
+  text_.reset();
   if (!file.empty()) {
     content_.scene.file = std::move(file);
     content_.scene.name = std::move(name);
@@ -79,9 +82,20 @@ void Document::save(const std::filesystem::path& file) {
   write_scene(content_.scene, file);
   content_.scene.file = file;
   content_.scene.name = name_of_scene(file);
+  for (SceneBody* body : {&content_.scene.probe, &content_.scene.fixed})
+    body->scene_file.clear();  // its lines are others now
+  text_.reset();
   saved_ = text();
 }
 
-std::string Document::text() const { return scene_text(content_.scene, "/"); }
+void Document::set_coupling(const Coupling& coupling) {
+  content_.scene.coupling = coupling;
+  text_.reset();
+}
+
+const std::string& Document::text() const {
+  if (!text_) text_ = scene_text(content_.scene, "/");
+  return *text_;
+}
 
 }  // namespace sonde::ui

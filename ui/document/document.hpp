@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/penetration/search/pair.hpp"
@@ -57,13 +59,13 @@ class Document {
   /// Sets the probe's present pose, with nothing to undo.
   void set_here(const Pose& X_FM) { content_.here = X_FM; }
   /// Gains have commands of their own, on the same stack.
-  void set_coupling(const Coupling& coupling) { content_.scene.coupling = coupling; }
+  void set_coupling(const Coupling& coupling);
 
   /// Writes the file, whole or not at all; it becomes the document's file. Throws InputError.
   void save(const std::filesystem::path& file);
 
   /// The scene as text, independent of its file: equal texts are equal scenes.
-  std::string text() const;
+  const std::string& text() const;
 
   /// Called with each command that is done, undone or redone; content() is already `to`.
   std::function<void(const Content& from, const Content& to)> changed;
@@ -74,6 +76,7 @@ class Document {
 
   Content content_;
   std::string saved_;
+  mutable std::optional<std::string> text_;  ///< of content_; none: not written yet
   QUndoStack stack_;
 };
 

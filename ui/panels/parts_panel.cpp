@@ -114,15 +114,21 @@ void PartsPanel::show_parts(const SceneBody& fixed, const std::vector<std::size_
   filling_ = true;
   while (rows_->topLevelItemCount() > count)
     delete rows_->takeTopLevelItem(rows_->topLevelItemCount() - 1);
-  while (rows_->topLevelItemCount() < count) rows_->addTopLevelItem(new QTreeWidgetItem);
+  // All at once: of thousands, each by itself would be looked for among all.
+  QList<QTreeWidgetItem*> added;
+  rows_->model()->blockSignals(true);
   for (int i = 0; i < count; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    QTreeWidgetItem& row = *rows_->topLevelItem(i);
+    if (i >= rows_->topLevelItemCount()) added.append(new QTreeWidgetItem);
+    QTreeWidgetItem& row = added.isEmpty() ? *rows_->topLevelItem(i) : *added.back();
     const bool one_mesh = fixed.parts.empty();
     show_row(row, parts[at], one_mesh ? colour::fixed : part_colour(fixed, at), one_mesh);
     row.setText(part_triangles_at, at < counts.size() ? QString::number(counts[at]) : QString());
     row.setTextAlignment(part_triangles_at, Qt::AlignRight | Qt::AlignVCenter);
   }
+  rows_->model()->blockSignals(false);
+  rows_->addTopLevelItems(added);
+  rows_->doItemsLayout();
   filling_ = false;
   update_buttons();
 }

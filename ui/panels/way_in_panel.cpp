@@ -20,14 +20,15 @@ namespace sonde::ui {
 namespace {
 
 constexpr double per_degree = std::numbers::pi / 180;
-constexpr double first_steps = 200, most_steps = 1e5;
-constexpr double first_across = 21, most_across = 501;
+constexpr double first_steps = 200, first_across = 21;
 constexpr double first_tilt = 2;  // degrees
 
-/// What is no number counts as the first.
-std::size_t count_in(const NumberField& field, double first, double most) {
-  const double count = field.number();
-  return static_cast<std::size_t>(std::isfinite(count) ? std::clamp(count, 1.0, most) : first);
+Vec3 vector_in(const std::array<NumberField*, 3>& fields) {
+  return {fields[0]->number(), fields[1]->number(), fields[2]->number()};
+}
+
+void show_in(const std::array<NumberField*, 3>& fields, const Vec3& x) {
+  for (std::size_t i = 0; i < 3; ++i) fields.at(i)->show_number(x[static_cast<Eigen::Index>(i)]);
 }
 
 }  // namespace
@@ -58,25 +59,42 @@ NumberField* WayInPanel::field(const char* object, const char* doc) {
   return made;
 }
 
+QPushButton* WayInPanel::pick_button(WayPick what, const char* object, const char* doc) {
+  const bool face = what == WayPick::axis_face || what == WayPick::side_face;
+  auto* made = button(face ? "Face" : "Edge", object, doc);
+  made->setCheckable(true);
+  connect(made, &QPushButton::clicked, this,
+          [this, what](bool on) { pick_wanted(on ? what : WayPick::nothing); });
+  picks_.at(static_cast<std::size_t>(what)) = made;
+  return made;
+}
+
+QHBoxLayout* WayInPanel::fields(std::array<NumberField*, 3>& of,
+                                const std::array<const char*, 3>& objects, const char* doc) {
+  auto* row = new QHBoxLayout;
+  for (std::size_t i = 0; i < 3; ++i) {
+    of.at(i) = field(objects.at(i), doc);
+    row->addWidget(of.at(i));
+  }
+  return row;
+}
+
 void WayInPanel::build_way(QVBoxLayout& layout) {
   kind_->setObjectName(QStringLiteral("way_kind"));
   kind_->addItems({QStringLiteral("along an axis"), QStringLiteral("along the recorded path")});
   layout.addWidget(kind_);
   auto* grid = new QGridLayout;
-  const char* const names[] = {"way_x", "way_y", "way_z"};
-  auto* axes = new QHBoxLayout;
-  for (std::size_t i = 0; i < 3; ++i) {
-    axis_.at(i) = field(names[i], "The direction, in the fixed body's mesh frame, of any length");
-    axes->addWidget(axis_.at(i));
-  }
   grid->addWidget(new QLabel(QStringLiteral("axis"), this), 0, 0);
-  grid->addLayout(axes, 0, 1);
-  face_ = button("Face", "way_face", "The next click in the view: into the face that it hits");
-  edge_ = button("Edge", "way_edge", "The next click in the view: along the edge next to it");
-  flip_ = button("Flip", "way_flip", "The other way");
+  grid->addLayout(fields(axis_, {"way_x", "way_y", "way_z"},
+                         "The direction, in the fixed body's mesh frame, of any length"),
+                  0, 1);
   auto* picks = new QHBoxLayout;
-  for (QPushButton* pick : {face_, edge_, flip_}) picks->addWidget(pick);
-  for (QPushButton* pick : {face_, edge_}) pick->setCheckable(true);
+  picks->addWidget(pick_button(WayPick::axis_face, "way_face",
+                               "The next click in the view: into the face that it hits"));
+  picks->addWidget(pick_button(WayPick::axis_edge, "way_edge",
+                               "The next click in the view: along the edge next to it"));
+  flip_ = button("Flip", "way_flip", "The other way");
+  picks->addWidget(flip_);
   grid->addLayout(picks, 1, 1);
   travel_ = field("way_travel", "How far the centre of mass goes, from where the probe is");
   twist_ = field("way_twist",
@@ -96,16 +114,14 @@ void WayInPanel::build_way(QVBoxLayout& layout) {
   work_->stop_wanted = [this] { stop_wanted(); };
   layout.addWidget(work_);
   connect(kind_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this](int kind) {
-    for (QWidget* of_axis : {static_cast<QWidget*>(axis_[0]), static_cast<QWidget*>(axis_[1]),
-                             static_cast<QWidget*>(axis_[2]), static_cast<QWidget*>(face_),
-                             static_cast<QWidget*>(edge_), static_cast<QWidget*>(flip_),
-                             static_cast<QWidget*>(travel_), static_cast<QWidget*>(twist_),
-                             static_cast<QWidget*>(map_work_)})
+    for (NumberField* along : axis_) along->setEnabled(kind == 0);
+    for (QPushButton* pick : picks_)
+      if (pick) pick->setEnabled(kind == 0);
+    for (QWidget* of_axis : {static_cast<QWidget*>(flip_), static_cast<QWidget*>(travel_),
+                             static_cast<QWidget*>(twist_), static_cast<QWidget*>(map_work_)})
       of_axis->setEnabled(kind == 0);
   });
-  connect(face_, &QPushButton::clicked, this, [this](bool on) { face_wanted(on); });
-  connect(edge_, &QPushButton::clicked, this, [this](bool on) { edge_wanted(on); });
-  connect(flip_, &QPushButton::clicked, this, [this] { show_axis(-wanted().axis); });
+  connect(flip_, &QPushButton::clicked, this, [this] { show_axis(-axis()); });
 }
 
 void WayInPanel::build_result(QVBoxLayout& layout) {
@@ -145,6 +161,18 @@ void WayInPanel::build_map(QVBoxLayout& layout) {
   grid->addWidget(tilt_, 1, 1);
   grid->addWidget(new QLabel(QStringLiteral("of each"), this), 2, 0);
   grid->addWidget(across_, 2, 1);
+  grid->addWidget(new QLabel(QStringLiteral("aside"), this), 3, 0);
+  grid->addLayout(fields(side_, {"map_x", "map_y", "map_z"},
+                         "Along which the offsets are, in the fixed body's mesh frame: what of it "
+                         "is square to the axis. Empty: along the coordinate that the axis has "
+                         "least of"),
+                  3, 1);
+  auto* picks = new QHBoxLayout;
+  picks->addWidget(pick_button(WayPick::side_face, "map_face",
+                               "The next click in the view: into the face that it hits"));
+  picks->addWidget(pick_button(WayPick::side_edge, "map_edge",
+                               "The next click in the view: along the edge next to it"));
+  grid->addLayout(picks, 4, 1);
   layout.addLayout(grid);
   map_work_ = new WorkRow(QStringLiteral("Map what goes in"), QStringLiteral("map_compute"), this);
   map_work_->start_wanted = [this] { map_asked(); };
@@ -171,11 +199,12 @@ void WayInPanel::take(double radius, bool has_path) {
   offset_->show_number(round_down_125(radius / 50) / unit_.metres());
   tilt_->show_number(first_tilt);
   across_->show_number(first_across);
+  for (NumberField* aside : side_) aside->clear();
   show_map_progress({});
   show_map({}, {});
   twist_->show_number(0);
   steps_->show_number(first_steps);
-  show_picking(false, false);
+  show_picking(WayPick::nothing);
   show_progress({});
   show_result({}, {});
 }
@@ -183,25 +212,33 @@ void WayInPanel::take(double radius, bool has_path) {
 WayWanted WayInPanel::wanted() const {
   WayWanted way;
   way.along_path = kind_->currentIndex() == 1;
-  way.axis = {axis_[0]->number(), axis_[1]->number(), axis_[2]->number()};
+  way.axis = axis();
   way.travel = travel_->number() * unit_.metres();
   way.twist = twist_->number() * per_degree;
-  way.steps = count_in(*steps_, first_steps, most_steps);
+  way.steps = steps_->number();
   return way;
 }
 
 MapWanted WayInPanel::map_wanted() const {
-  return {offset_->number() * unit_.metres(), tilt_->number() * per_degree,
-          count_in(*across_, first_across, most_across)};
+  MapWanted map;
+  map.offset = offset_->number() * unit_.metres();
+  map.tilt = tilt_->number() * per_degree;
+  map.across = across_->number();
+  const bool any = std::ranges::any_of(
+      side_, [](const NumberField* aside) { return !aside->text().trimmed().isEmpty(); });
+  if (any) map.lateral = vector_in(side_);
+  return map;
 }
 
-void WayInPanel::show_axis(const Vec3& axis) {
-  for (std::size_t i = 0; i < 3; ++i) axis_.at(i)->show_number(axis[static_cast<Eigen::Index>(i)]);
-}
+Vec3 WayInPanel::axis() const { return vector_in(axis_); }
 
-void WayInPanel::show_picking(bool face, bool edge) {
-  face_->setChecked(face);
-  edge_->setChecked(edge);
+void WayInPanel::show_axis(const Vec3& axis) { show_in(axis_, axis); }
+
+void WayInPanel::show_side(const Vec3& side) { show_in(side_, side); }
+
+void WayInPanel::show_picking(WayPick what) {
+  for (std::size_t i = 0; i < picks_.size(); ++i)
+    if (picks_.at(i)) picks_.at(i)->setChecked(i == static_cast<std::size_t>(what));
 }
 
 void WayInPanel::show_progress(std::optional<double> fraction) { work_->show_progress(fraction); }

@@ -13,6 +13,7 @@
 #include "ui/panels/travel_plot.hpp"
 
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QVBoxLayout;
@@ -27,14 +28,18 @@ struct WayWanted {
   bool along_path = false;       ///< the scene's recorded one, rather than an axis
   Vec3 axis = -Vec3::UnitZ();    ///< in the fixed body's frame, of any length
   double travel = 0, twist = 0;  ///< m, rad
-  std::size_t steps = 0;
+  double steps = 0;
 };
 
 /// The map of offsets and tilts at the mouth, as it was asked for.
 struct MapWanted {
-  double offset = 0, tilt = 0;  ///< the largest to either side, m and rad
-  std::size_t across = 0;       ///< how many of either
+  double offset = 0, tilt = 0;       ///< the largest to either side, m and rad
+  double across = 0;                 ///< how many of either
+  std::optional<Vec3> lateral = {};  ///< along which the offsets are, of any length; none: any
 };
+
+/// What the next click in the view is to give.
+enum class WayPick { nothing, axis_face, axis_edge, side_face, side_edge };
 
 /// The dock of the way in: along which axis, how far, what happens on the way, and where it binds.
 class WayInPanel : public QDockWidget {
@@ -46,9 +51,12 @@ class WayInPanel : public QDockWidget {
   /// Values that are no number are not a number.
   WayWanted wanted() const;
   MapWanted map_wanted() const;
+  Vec3 axis() const;
   void show_axis(const Vec3& axis);
+  /// Along which the offsets of the map are.
+  void show_side(const Vec3& side);
   /// A click in the view is waited for.
-  void show_picking(bool face, bool edge);
+  void show_picking(WayPick what);
   void show_progress(std::optional<double> fraction);
   void show_result(const QString& summary, TravelCurves curves);
   /// Why there is none.
@@ -62,7 +70,8 @@ class WayInPanel : public QDockWidget {
 
   std::function<void()> compute_wanted, stop_wanted, first_wanted, map_asked, map_stop_wanted;
   std::function<void(const MapPlace&)> map_place_wanted;
-  std::function<void(bool)> face_wanted, edge_wanted, play_wanted;
+  std::function<void(WayPick)> pick_wanted;
+  std::function<void(bool)> play_wanted;
   std::function<void(double travel)> sought;
 
  private:
@@ -71,12 +80,17 @@ class WayInPanel : public QDockWidget {
   void build_map(QVBoxLayout& layout);
   NumberField* field(const char* object, const char* doc);
   QPushButton* button(const char* text, const char* object, const char* doc);
+  QPushButton* pick_button(WayPick what, const char* object, const char* doc);
+  /// Three fields side by side.
+  QHBoxLayout* fields(std::array<NumberField*, 3>& of, const std::array<const char*, 3>& objects,
+                      const char* doc);
 
   QComboBox* kind_;
-  std::array<NumberField*, 3> axis_{};
+  std::array<NumberField*, 3> axis_{}, side_{};
+  std::array<QPushButton*, 5> picks_{};  ///< by WayPick
   NumberField *travel_, *twist_, *steps_, *offset_, *tilt_, *across_;
   QLabel *travel_label_, *summary_, *at_, *offset_label_, *map_words_;
-  QPushButton *face_, *edge_, *flip_, *play_, *first_;
+  QPushButton *flip_, *play_, *first_;
   WorkRow *work_, *map_work_;
   TravelPlot* plot_;
   OffsetPlot* map_;

@@ -116,6 +116,8 @@ MainWindow::MainWindow(QWidget* parent)
     log_->add(reason);
     emit open_failed(reason);
   };
+  // Nothing is being opened any more.
+  connect(this, &MainWindow::open_failed, statusBar(), &QStatusBar::clearMessage);
   connect(&frame_timer_, &QTimer::timeout, this, &MainWindow::on_frame);
   frame_timer_.setTimerType(Qt::PreciseTimer);
   frame_timer_.start(frame_ms);

@@ -2,6 +2,7 @@
 #include "ui/views/hint_view.hpp"
 
 #include <QLinearGradient>
+#include <QPaintEvent>
 #include <QPainter>
 #include <QPalette>
 #include <algorithm>
@@ -156,14 +157,30 @@ void HintView::set_scale(ColourScale scale) {
   update();
 }
 
-void HintView::paintEvent(QPaintEvent* /*event*/) {
+/// The pieces of the hint flow into lines, as words do; the plate grows upwards from the bottom.
+struct HintView::Hint {
+  struct Piece {
+    QPointF at;  ///< from the plate's upper left
+    const QString* text;
+    QColor colour;
+  };
+  std::vector<Piece> pieces;
+  QRectF plate;
+};
+
+/// A frame changes the labels alone: words elsewhere are not set anew for it.
+void HintView::paintEvent(QPaintEvent* event) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
+  const auto touched = [event](const QRectF& box) {
+    return event->region().intersects(box.toAlignedRect());
+  };
   draw_labels(painter);
   const bool fading = fading_.state() == QAbstractAnimation::Running;
   if (fading) painter.setOpacity(fading_.currentValue().toDouble());
-  if (legend_visible_ || fading) draw_legend(painter);
-  if (hint_visible_ || fading) draw_hint(painter);
+  if ((legend_visible_ || fading) && touched(legend_plate())) draw_legend(painter);
+  if (hint_visible_ || fading)
+    if (const Hint hint = laid_out_hint(); touched(hint.plate)) draw_hint(painter, hint);
   painter.setOpacity(1);
   draw_triad(painter);
   draw_ruler(painter);
@@ -202,17 +219,6 @@ void HintView::draw_legend(QPainter& painter) const {
   }
 }
 
-/// The pieces of the hint flow into lines, as words do; the plate grows upwards from the bottom.
-struct HintView::Hint {
-  struct Piece {
-    QPointF at;  ///< from the plate's upper left
-    const QString* text;
-    QColor colour;
-  };
-  std::vector<Piece> pieces;
-  QRectF plate;
-};
-
 HintView::Hint HintView::laid_out_hint() const {
   const QFontMetricsF metrics(font());
   const double line = metrics.height() + 3, gap = 16, right = width() - margin - 10.0;
@@ -234,8 +240,7 @@ HintView::Hint HintView::laid_out_hint() const {
   return hint;
 }
 
-void HintView::draw_hint(QPainter& painter) const {
-  const Hint hint = laid_out_hint();
+void HintView::draw_hint(QPainter& painter, const Hint& hint) const {
   draw_plate(painter, hint.plate, palette());
   for (const Hint::Piece& piece : hint.pieces) {
     painter.setPen(piece.colour);

@@ -91,7 +91,7 @@ class HintView : public QWidget {
   QRectF ruler_box() const;
   QRectF banner_box(const QString& text) const;
   void draw_legend(QPainter& painter) const;
-  void draw_hint(QPainter& painter) const;
+  void draw_hint(QPainter& painter, const Hint& hint) const;
   std::vector<QRectF> label_boxes() const;
   QRegion label_region() const;
   void draw_labels(QPainter& painter) const;

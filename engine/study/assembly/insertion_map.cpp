@@ -40,6 +40,14 @@ Vec3 lateral_to(const Vec3& axis) {
   return (wanted - axis.dot(wanted) * axis).normalized();
 }
 
+std::optional<Vec3> square_to(const Vec3& axis, const Vec3& direction) {
+  constexpr double least = 1e-6;  // of the direction: less is the rounding of what was typed
+  const Vec3 wanted = direction.stableNormalized();
+  const Vec3 square = wanted - axis.dot(wanted) * axis;
+  if (!(square.norm() > least)) return std::nullopt;
+  return square.normalized();
+}
+
 InsertionWay moved(const InsertionWay& way, const Pair& pair, const InsertionMap& map,
                    double offset, double tilt) {
   InsertionWay out = way;

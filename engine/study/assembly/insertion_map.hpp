@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "engine/study/assembly/insertion.hpp"
@@ -25,7 +26,11 @@ struct InsertionMap {
 /// unit.
 Vec3 lateral_to(const Vec3& axis);
 
-/// The path, offset and tilted about the centre of mass at its start.
+/// What of a direction is square to that axis (unit): unit, or none where the direction lies along
+/// the axis or is none.
+std::optional<Vec3> square_to(const Vec3& axis, const Vec3& direction);
+
+/// A way moved aside and tilted about the centre of mass where it begins.
 InsertionWay moved(const InsertionWay& way, const Pair& pair, const InsertionMap& map,
                    double offset, double tilt);
 

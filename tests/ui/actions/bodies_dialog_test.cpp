@@ -96,7 +96,7 @@ TEST_F(BodiesTest, and_shows_where_in_the_view) {
   ASSERT_EQ(opened, 1);
   window->set_paused(true);
   act("from_right");  // from elsewhere the body hides it
-  wait(100);
+  settle();
   const QImage without = picture();
   act("show_defects");
   EXPECT_GT(pixels_between(without, picture()), 60) << "a triangle of the fixed cube is missing";

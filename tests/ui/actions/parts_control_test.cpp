@@ -115,7 +115,7 @@ TEST_F(PartsControlTest, what_is_not_felt_is_not_in_the_loop_but_in_the_picture)
   ASSERT_TRUE(steps(3));
   EXPECT_EQ(part_at(fixed(), {0, 0, 0}), "middle");
   tick(1, felt, false);
-  test::wait(50);
+  settle();
   EXPECT_EQ(document().stack().count(), 3) << "one stays";
   EXPECT_EQ(rows->topLevelItem(1)->checkState(felt), Qt::Checked);
   act("undo");
@@ -149,7 +149,7 @@ TEST_F(PartsControlTest, parts_are_added_renamed_removed_and_kept_in_the_file) {
   rows->topLevelItem(3)->setText(name, "lid");
   ASSERT_TRUE(steps(2));
   rows->topLevelItem(4)->setText(name, "lid");
-  test::wait(50);
+  settle();
   EXPECT_EQ(document().stack().count(), 2) << "a name that is taken";
   EXPECT_EQ(rows->topLevelItem(4)->text(name), "cube.off (2)");
   tick(1, shown, false);
@@ -200,6 +200,29 @@ TEST_F(PartsControlTest, meshes_that_are_dragged_here_become_parts_of_one_mesh_t
   ASSERT_TRUE(test::wait_until([this] { return fixed().parts.size() == 3; }));
 }
 
+// Reference: as many cubes as there are parts.
+TEST_F(PartsControlTest, Full_as_many_as_there_may_be_are_opened_and_listed) {
+  std::string parts;
+  for (std::size_t i = 0; i < most_parts; ++i)
+    parts += (i == 0 ? "[" : ",\n") + std::string(R"({"mesh": "cube.off", "name": ")") +
+             std::to_string(i) + R"(", "pose": [)" + std::to_string(0.2 * double(i % 100)) + "," +
+             std::to_string(0.2 * double(i / 100)) + ",0,1,0,0,0]}";
+  const auto many = folder.write("many.sonde.json", R"({"unit": "m",
+      "probe": {"mesh": "cube.off", "pose": [0, 0, 0.12, 1, 0, 0, 0]}, "fixed": )" +
+                                                        parts + "]}");
+  open({QString::fromStdString(many.string())});
+  ASSERT_EQ(failed, 0) << (complaints.empty() ? "" : complaints[0].toStdString());
+  ASSERT_EQ(rows->topLevelItemCount(), int(most_parts));
+  EXPECT_EQ(fixed().soup.triangles.size(), 12 * most_parts);
+  EXPECT_NEAR(fixed().mass.measure, 1e-3 * double(most_parts), 1e-9);
+  EXPECT_EQ(rows->topLevelItem(9999)->text(name), "9999");
+  EXPECT_EQ(rows->topLevelItem(9999)->text(triangles), "12");
+  tick(9999, felt, false);
+  ASSERT_TRUE(steps(1));
+  EXPECT_EQ(fixed().soup.triangles.size(), 12 * (most_parts - 1));
+  EXPECT_EQ(rows->topLevelItem(9999)->checkState(felt), Qt::Unchecked);
+}
+
 // Reference: where the two cubes of the file lie.
 TEST_F(PartsControlTest, a_mesh_is_taken_apart_into_its_components) {
   const auto two = folder.write("two.off", two_cubes());
@@ -219,7 +242,7 @@ TEST_F(PartsControlTest, a_mesh_is_taken_apart_into_its_components) {
   drag(Qt::LeftButton, at, {0, 0});
   EXPECT_EQ(window->parts().panel().chosen(), std::size_t{1});
   find<QPushButton>("take_apart")->click();
-  test::wait(50);
+  settle();
   EXPECT_EQ(document().stack().count(), 1) << "it is one component";
   tick(1, felt, false);
   ASSERT_TRUE(steps(2));

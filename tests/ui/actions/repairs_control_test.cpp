@@ -124,7 +124,7 @@ TEST_F(RepairsTest, the_bar_lies_above_the_view_and_not_in_it) {
   open_pair("holes.off", "turned.off");
   for (const QSize size : {QSize(1280, 800), QSize(960, 600)}) {
     window->resize(size);
-    wait(100);
+    settle();
     const QRect view(window->viewport().mapTo(window.get(), QPoint()), window->viewport().size());
     const QRect above(bar().mapTo(window.get(), QPoint()), bar().size());
     keep_picture(size.width() > 1000 ? "bar-wide" : "bar-narrow");
@@ -191,7 +191,7 @@ TEST_F(RepairsTest, of_very_many_places_the_first_are_shown_and_all_are_counted)
   EXPECT_EQ(find<QLabel>("mended_fixed_places")->text(), "1 of 1000");
   EXPECT_EQ(find<QLabel>("mended_fixed_places")->toolTip(), "1 of 1000 (the first of 1089)");
   window->resize(960, 600);
-  wait(100);
+  settle();
   EXPECT_EQ(bar().width(), window->viewport().width());
   EXPECT_EQ(window->width(), 960) << "the bar makes nothing wider";
   keep_picture("very-many");
@@ -277,7 +277,7 @@ TEST_F(RepairsTest, put_away_it_stays_away_for_this_document) {
   button("mended_away")->click();
   EXPECT_FALSE(bar().isVisible());
   EXPECT_FALSE(find<QAction>("mended_bar")->isChecked());
-  wait(50);
+  settle();
   EXPECT_GT(window->viewport().height(), with);
   act("swap_bodies");
   ASSERT_TRUE(wait_until([this] { return opened == 2; }));

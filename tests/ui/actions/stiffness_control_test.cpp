@@ -229,7 +229,7 @@ TEST_F(StiffnessTest, use_recommended_is_in_sight_at_1280_by_800) {
   load("tuned");
   ASSERT_EQ(window->size(), QSize(1280, 800));
   ASSERT_TRUE(wait_until([&] { return use->isVisible(); }));
-  wait(100);  // the layout
+  settle();
   EXPECT_EQ(use->visibleRegion().boundingRect(), use->rect()) << "all of it, without scrolling";
   EXPECT_TRUE(use->text().contains("600 N/m"));
   QTest::mouseClick(use, Qt::LeftButton);
@@ -250,7 +250,7 @@ TEST_F(StiffnessTest, so_are_the_gains_of_the_classic_coupling) {
   load("tuned");
   auto* use = find<QPushButton>("apply_recommended");
   ASSERT_TRUE(wait_until([&] { return use->isVisible(); }));
-  wait(100);  // the layout
+  settle();
   EXPECT_EQ(use->text(), "Use recommended:\nk_t 600 N/m, k_r 0.0330 N·m/rad");
   EXPECT_EQ(use->visibleRegion().boundingRect(), use->rect());
 }
@@ -264,11 +264,11 @@ TEST_F(StiffnessTest, the_view_says_beside_the_force_how_far_the_boundary_is) {
   load("fitting");
   EXPECT_TRUE(wait_until([&] { return said() == could; })) << said().toStdString();
   auto* hints = find<QWidget>("hint_view");
-  wait(300);
+  settle();
   const QImage within = hints->grab().toImage();
   find<TypedValue>("k_value")->setValue(1800);
   EXPECT_TRUE(wait_until([&] { return said() == too; })) << said().toStdString();
-  wait(300);
+  settle();
   EXPECT_GT(pixels_between(within, hints->grab().toImage()), 50);
   EXPECT_TRUE(stiffness().note().now.isEmpty()) << "measured: the hand feels no buzzing";
   EXPECT_TRUE(stiffness().note().course.empty()) << "it does not buzz with the mouse alone";

@@ -121,6 +121,63 @@ TEST_F(WayInTest, the_map_says_what_goes_in_and_a_click_takes_the_probe_there) {
   EXPECT_EQ(way().map().free.size(), 25u) << "it is about the bodies, wherever the probe is";
 }
 
+// Reference: by hand. The probe is 10 mm aside in x, and not in y: beside the other are the ends
+// of offsets along y alike, and along x only one.
+TEST_F(WayInTest, the_map_is_along_the_direction_that_is_wanted) {
+  type("way_travel", "30");
+  type("map_offset", "105");
+  type("map_tilt", "0");
+  type("map_across", "3");
+  const auto ends = [this](const char* x, const char* y, const char* z) {
+    type("map_x", x);
+    type("map_y", y);
+    type("map_z", z);
+    find<QPushButton>("map_compute")->click();
+    EXPECT_TRUE(test::wait_until([this] { return !way().map().free.empty(); }));
+    const auto& free = way().map().free;
+    return free.size() == 9 ? std::pair(free[1], free[7]) : std::pair(0.0, 0.0);
+  };
+  const auto along_y = ends("0", "2", "5");
+  EXPECT_NEAR(along_y.first, 0.03, 1e-9);
+  EXPECT_NEAR(along_y.second, 0.03, 1e-9);
+  EXPECT_LT((way().map().at.lateral - Vec3::UnitY()).norm(), 1e-12);
+  const auto along_x = ends("1", "0", "0");
+  EXPECT_NEAR(along_x.first, 0.02, 1e-7);
+  EXPECT_NEAR(along_x.second, 0.03, 1e-9);
+  window->seeing().look_from(Vec3::UnitZ(), Vec3::UnitY());
+  window->viewport().set_parallel(true);
+  find<QPushButton>("map_edge")->click();
+  drag(Qt::LeftButton, window->viewport().on_screen({0.06, 0.049, 0.22}), {0, 0});
+  EXPECT_NEAR(std::abs(way().panel().map_wanted().lateral->x()), 1, 1e-6);
+  EXPECT_FALSE(find<QPushButton>("map_edge")->isChecked());
+  for (const char* number : {"0", "x"}) {
+    type("map_x", "0");
+    type("map_y", number);
+    type("map_z", "1");
+    find<QPushButton>("map_compute")->click();
+    EXPECT_TRUE(test::wait_until([this] {
+      return find<QLabel>("map_words")->text().contains("do not lie along it");
+    })) << number;
+  }
+}
+
+TEST_F(WayInTest, more_than_there_may_be_are_refused_with_the_most) {
+  for (const char* number : {"502", "0", "2.5", "many", "inf"}) {
+    type("map_across", number);
+    find<QPushButton>("map_compute")->click();
+    EXPECT_TRUE(test::wait_until([this] {
+      return find<QLabel>("map_words")->text() == "“of each” takes a whole number from 1 to 501";
+    })) << number
+        << find<QLabel>("map_words")->text().toStdString();
+    type("way_steps", number == std::string("502") ? "100001" : number);
+    find<QPushButton>("way_compute")->click();
+    EXPECT_TRUE(test::wait_until([this] {
+      return summary() == "“steps” takes a whole number from 1 to 100000";
+    })) << number
+        << summary().toStdString();
+  }
+}
+
 TEST_F(WayInTest, a_map_is_stopped_and_one_without_sense_is_refused) {
   type("map_across", "501");
   find<QPushButton>("map_compute")->click();

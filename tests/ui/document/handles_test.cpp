@@ -71,7 +71,7 @@ TEST_F(HandleTest, a_ring_turns_it_about_its_axis_local_too) {
   Pose turned = pose();
   turned.q = Quat(Eigen::AngleAxisd(0.4, Vec3::UnitX()));
   window->set_device_pose(turned);
-  wait(100);
+  settle();
   act("local_handles");
   const Vec3 com_before = com();
   const Handles handles = *window->viewport().handles(pose());

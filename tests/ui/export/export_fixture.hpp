@@ -35,7 +35,7 @@ class ExportTest : public WindowTest {
     open_cubes();
     ASSERT_TRUE(wait_until([this] { return shown().wrench.force.norm() > 0; }));
     window->set_paused(true);
-    wait(100);
+    settle();
     exporter().ask_file = [this](const QString&, const QString&, const QString&) { return target; };
     exporter().ask_picture = [this](ExportDialog::Of) { return std::optional(wanted); };
     wanted.options.size = {640, 480};

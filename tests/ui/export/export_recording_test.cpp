@@ -28,7 +28,7 @@ class ExportRecordingTest : public ExportTest {
     window->set_device_pose(after);
     wait_ticks(400);
     window->set_paused(true);
-    wait(100);
+    settle();
     wanted.options.size = {320, 240};
     wanted.span = {ticks().first_time(), ticks().last_time(), 10};
   }

@@ -113,7 +113,7 @@ TEST_F(DeskTest, the_keyboard_comes_to_every_dock_and_back_to_the_view) {
 TEST_F(DeskTest, the_names_on_the_tabs_can_be_read_on_a_small_screen) {
   open_cubes();
   window->resize(1152, 720);
-  wait(200);
+  settle();
   int tabs = 0;
   for (const QToolButton* tab : window->findChildren<QToolButton*>()) {
     if (!tab->objectName().startsWith("tab_")) continue;

@@ -166,14 +166,19 @@ TEST_F(Figures, Full_clearance_of_a_million_triangles_a_side) {
   }
 }
 
-/// Fifty tori of 20 000 triangles as parts, and as one mesh.
-TEST_F(Figures, Full_frames_of_fifty_parts_and_of_one_mesh) {
-  std::string corners, faces, parts;
-  std::size_t points = 0, count = 0;
-  folder.write("torus.off", torus(100));
-  for (int k = 0; k < 50; ++k) {
-    const double x = 0.3 * (k % 10), y = 0.3 * double(k / 10);
-    std::istringstream in(torus(100));
+/// One mesh in rows, many times.
+struct Rows {
+  std::string parts;  ///< as a list of a scene's parts, of torus.off
+  std::string all;    ///< as OFF text
+};
+
+Rows in_rows(const std::string& one, int count, int across) {
+  Rows out;
+  std::string corners, faces;
+  std::size_t points = 0, polygons = 0;
+  for (int k = 0; k < count; ++k) {
+    const double x = 0.3 * (k % across), y = 0.3 * double(k / across);
+    std::istringstream in(one);
     std::string word;
     std::size_t vertices = 0, triangles = 0, none = 0;
     in >> word >> vertices >> triangles >> none;
@@ -189,17 +194,27 @@ TEST_F(Figures, Full_frames_of_fifty_parts_and_of_one_mesh) {
       faces += "3 " + std::to_string(t[1] + points) + ' ' + std::to_string(t[2] + points) + ' ' +
                std::to_string(t[3] + points) + '\n';
     }
-    points += vertices, count += triangles;
-    parts += (k == 0 ? "[" : ", ");
-    parts += R"({"name": ")" + std::to_string(k) + R"(", "mesh": "torus.off", "pose": [)" +
-             std::to_string(x) + ", " + std::to_string(y) + ", 0, 1, 0, 0, 0]}";
+    points += vertices, polygons += triangles;
+    out.parts += (k == 0 ? "[" : ", ");
+    out.parts += R"({"name": ")" + std::to_string(k) + R"(", "mesh": "torus.off", "pose": [)" +
+                 std::to_string(x) + ", " + std::to_string(y) + ", 0, 1, 0, 0, 0]}";
   }
-  folder.write("all.off", "OFF\n" + std::to_string(points) + ' ' + std::to_string(count) + " 0\n" +
-                              corners + faces);
-  const std::string probe = R"({"probe": {"mesh": "cube.off", "pose": [1.3, 0.6, 0.03, 1, 0, 0, 0]},
-      "fixed": )";
-  folder.write("parts.sonde.json", probe + parts + "]}");
-  folder.write("one.sonde.json", probe + R"({"mesh": "all.off"}})");
+  out.parts += "]";
+  out.all =
+      "OFF\n" + std::to_string(points) + ' ' + std::to_string(polygons) + " 0\n" + corners + faces;
+  return out;
+}
+
+constexpr const char* beside =
+    R"({"probe": {"mesh": "cube.off", "pose": [1.3, 0.6, 0.03, 1, 0, 0, 0]}, "fixed": )";
+
+/// Fifty tori of 20 000 triangles as parts, and as one mesh.
+TEST_F(Figures, Full_frames_of_fifty_parts_and_of_one_mesh) {
+  folder.write("torus.off", torus(100));
+  const Rows rows = in_rows(torus(100), 50, 10);
+  folder.write("all.off", rows.all);
+  folder.write("parts.sonde.json", beside + rows.parts + "}");
+  folder.write("one.sonde.json", std::string(beside) + R"({"mesh": "all.off"}})");
   for (int times = 0; times < 4; ++times)
     for (const char* name : {"one.sonde.json", "parts.sonde.json"}) {
       open({path(name)});
@@ -211,6 +226,25 @@ TEST_F(Figures, Full_frames_of_fifty_parts_and_of_one_mesh) {
           window->session()->fixed().soup.triangles.size());
       std::fflush(stdout);
     }
+}
+
+/// As many parts as there may be, of 50 triangles: all alike, and each a component of one file.
+TEST_F(Figures, Full_ten_thousand_parts) {
+  folder.write("torus.off", torus(5));
+  const Rows rows = in_rows(torus(5), 10'000, 100);
+  folder.write("all.off", rows.all);
+  folder.write("alike.sonde.json", beside + rows.parts + "}");
+  folder.write("components.sonde.json",
+               std::string(beside) + R"({"mesh": "all.off", "components": true}})");
+  for (const char* name : {"alike.sonde.json", "components.sonde.json"}) {
+    const double processor = processor_seconds();
+    QElapsedTimer clock;
+    clock.start();
+    open({path(name)});
+    std::printf("%-22s open in %.2f s, %.2f s of processor\n", name, 1e-3 * double(clock.elapsed()),
+                processor_seconds() - processor);
+    std::fflush(stdout);
+  }
 }
 
 TEST_F(Figures, Full_frames_of_the_bundled_scenes) {

@@ -35,7 +35,7 @@ class DeskLayout : public WindowTest {
     window->resize(size);
     window->show();
     open({QString::fromStdString(scene.string())});
-    wait(100);
+    settle();
   }
   double share_of_view() const {
     const QSize view = window->viewport().size(), all = window->size();
@@ -136,13 +136,13 @@ TEST_F(DeskLayout, a_tab_opens_its_dock_in_place_of_another_and_folds_it_away) {
   EXPECT_FALSE(find<QToolButton>("tab_readout_panel")->isChecked());
   find<QToolButton>("tab_seeing_panel")->click();
   EXPECT_FALSE(seeing->isVisible());
-  wait(50);
+  settle();
   EXPECT_GT(share_of_view(), before + 0.1) << "the view has the room";
   find<QToolButton>("tab_readout_panel")->click();
-  wait(50);
+  settle();
   const int wide = readout->width();
   find<QToolButton>("tab_parts_panel")->click();
-  wait(50);
+  settle();
   EXPECT_TRUE(readout->isVisible()) << "at another side";
   EXPECT_EQ(readout->width(), wide);
   act("fold_docks");
@@ -181,7 +181,7 @@ TEST_F(DeskLayout, nothing_overlaps_or_is_cut_off_at_any_size) {
       for (QDockWidget* dock : window->docks_of_sides()) {
         SCOPED_TRACE(theme + std::to_string(size.width()) + dock->objectName().toStdString());
         dock->show();
-        wait(150);
+        settle();
         ASSERT_EQ(window->size(), size) << "a dock wants more room than there is";
         expect_disjoint();
         expect_whole(*dock);
@@ -202,7 +202,7 @@ TEST_F(DeskLayout, hint_and_legend_go_after_the_first_drag_and_come_back_by_a_ke
   EXPECT_TRUE(window->viewport().shown(Layer::hint));
   EXPECT_EQ(hints().boxes().size(), before);
   drag(Qt::LeftButton, window->viewport().on_screen(com()), {-30, 0});
-  wait(100);
+  settle();
   EXPECT_TRUE(window->viewport().shown(Layer::hint)) << "who wants them keeps them";
 }
 
@@ -225,10 +225,10 @@ TEST_F(DeskLayout, a_dock_that_folds_or_unfolds_covers_no_body) {
     SCOPED_TRACE(how);
     for (int times = 0; times < 2; ++times) {
       act("fold_docks");
-      wait(100);
+      settle();
       EXPECT_TRUE(in_the_middle()) << words(bodies());
       act("fold_docks");
-      wait(100);
+      settle();
       EXPECT_TRUE(in_the_middle()) << words(bodies());
     }
     window->viewport().camera().orbit(0.5, 0.2);

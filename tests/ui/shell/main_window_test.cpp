@@ -127,7 +127,7 @@ TEST_F(WindowTest, the_trail_shows_where_the_probe_has_been) {
     wait(20);
   }
   window->set_paused(true);
-  wait(100);
+  settle();
   const QImage with = picture();
   act("trail");
   EXPECT_GT(pixels_between(with, picture()), 60);

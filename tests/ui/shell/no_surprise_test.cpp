@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
+#include <QStatusBar>
 #include <QTest>
 #include <QTreeWidget>
 
@@ -58,7 +59,7 @@ TEST_F(NoSurprise, the_timeline_jumps_where_one_clicks) {
   open_cubes();
   wait_seconds_kept(1.5);
   window->set_paused(true);  // the range stays
-  wait(100);
+  settle();
   auto* track = find<QSlider>("timeline");
   QTest::mouseClick(track, Qt::LeftButton, Qt::NoModifier,
                     QPoint(track->width() / 4, track->height() / 2));
@@ -127,8 +128,10 @@ TEST_F(NoSurprise, one_mesh_is_read_before_the_other_is_asked_for) {
   EXPECT_EQ(asked, 0);
   ASSERT_EQ(complaints.size(), 1u);
   EXPECT_TRUE(complaints[0].contains("is not an STL file")) << complaints[0].toStdString();
+  EXPECT_EQ(window->statusBar()->currentMessage(), QString()) << "it is not being opened any more";
   open({path("cube.off")});
   EXPECT_EQ(asked, 1);
+  EXPECT_EQ(window->statusBar()->currentMessage(), QString());
 }
 
 /// Closed form: the cubes of 100 mm, the one 130 mm beside the other, are 30 mm apart.
@@ -144,7 +147,7 @@ TEST_F(NoSurprise, a_free_probe_shows_its_clearance_in_readout_status_view_and_p
     return std::abs(curves.at(Curve::clearance, curves.last_time()) - 0.03) < 1e-8;
   })) << curves.at(Curve::clearance, curves.last_time());
   window->set_paused(true);
-  wait(100);
+  settle();
   const QImage with = picture();
   act("show_clearance");
   EXPECT_GT(pixels_between(with, picture()), 40) << "two points and a line";

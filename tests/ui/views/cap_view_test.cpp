@@ -39,7 +39,7 @@ class CapTest : public WindowTest {
       window->viewport().set_shown(layer, false);
     act("from_above");
     window->set_paused(true);
-    wait(100);
+    settle();
     if (look) act(look);
   }
   static bool is_cap(const QColor& pixel) {
@@ -104,7 +104,7 @@ TEST_F(CapTest, caps_are_seen_on_bodies_that_are_seen_through_and_not_on_hidden_
 TEST_F(CapTest, and_on_the_ghost) {
   open_balls(true, 0.07);
   ASSERT_TRUE(wait_until([this] { return shown().separation.status == Status::penetrating; }));
-  wait(300);
+  settle();
   act("hide_probe");
   act("hide_fixed");
   EXPECT_GT(cap_pixels(0).second, 100);

@@ -41,14 +41,14 @@ class LayerTest : public WindowTest, public ::testing::WithParamInterface<LayerC
 
 TEST_P(LayerTest, is_drawn_and_can_be_hidden) {
   open_cubes();
-  wait(300);
+  settle();
   auto* action = window->findChild<QAction*>(GetParam().action);
   ASSERT_TRUE(action);
   ASSERT_TRUE(action->isChecked());
   window->viewport().camera().zoom(1.3);  // the arrow is small beside the legend and the hint
   // A still picture: nothing else may differ between the two.
   window->set_paused(true);
-  wait(100);
+  settle();
   const QImage with = picture();
   action->trigger();
   EXPECT_FALSE(action->isChecked());
@@ -73,7 +73,7 @@ TEST_F(WindowTest, the_ways_out_are_drawn_by_a_key) {
     return window->searched() && window->searched()->nearest && window->searched()->pdt;
   }));
   window->set_paused(true);
-  wait(100);
+  settle();
   const QImage without = picture();
   for (const char* name : {"show_nearest", "show_straight"}) {
     auto* action = window->findChild<QAction*>(name);
@@ -91,7 +91,7 @@ TEST_F(WindowTest, the_witness_of_the_bound_is_drawn_by_a_key) {
   open_cubes();
   ASSERT_TRUE(wait_until([this] { return window->searched() && window->searched()->witness; }));
   window->set_paused(true);
-  wait(100);
+  settle();
   const QImage without = picture();
   auto* action = window->findChild<QAction*>("show_bound");
   ASSERT_TRUE(action);
@@ -123,19 +123,19 @@ TEST_F(WindowTest, a_body_hides_the_defects_behind_it) {
 TEST_F(WindowTest, the_hint_says_how_and_can_be_hidden) {
   open_cubes();
   window->set_paused(true);
-  wait(200);
+  settle();
   auto* action = window->findChild<QAction*>("show_hint");
   ASSERT_TRUE(action);
   const QImage with = window->viewport().grab().toImage();
   action->trigger();
-  wait(100);
+  settle();
   EXPECT_GT(pixels_between(with, window->viewport().grab().toImage()), 1000);
 }
 
 /// Every vertex, by the projection that places labels: in one of the areas that the texts leave.
 TEST_F(WindowTest, a_fitted_picture_has_no_text_over_the_bodies) {
   open({QStringLiteral(SONDE_RESOURCES "/scenes/spoon-in-cup.sonde.json")});
-  wait(100);
+  settle();
   for (const bool hint : {true, false}) {
     window->viewport().set_shown(Layer::hint, hint);
     act("fit");

@@ -54,6 +54,20 @@ TEST(InsertionMap, the_lateral_direction_is_square_to_the_axis) {
   }
 }
 
+// Reference: by hand, 3-4-5 triangles.
+TEST(InsertionMap, of_a_direction_what_is_square_to_the_axis_is_taken) {
+  const auto square = square_to({0, 0.6, 0.8}, {0, 10, 0});
+  ASSERT_TRUE(square);
+  EXPECT_LT((*square - Vec3(0, 0.8, -0.6)).norm(), 1e-15);
+  const auto of_little = square_to({0, 0, 1}, {1e-200, 0, 0});
+  ASSERT_TRUE(of_little);
+  EXPECT_EQ(*of_little, Vec3(Vec3::UnitX()));
+  EXPECT_FALSE(square_to({0, 0, 1}, {0, 0, -2}));
+  EXPECT_FALSE(square_to({0, 0, 1}, Vec3::Zero()));
+  EXPECT_FALSE(square_to({0, 0, 1}, {NAN, 0, 0}));
+  EXPECT_FALSE(square_to({0, 0, 1}, {INFINITY, 0, 0}));
+}
+
 TEST(InsertionMap, ranges_without_sense_are_refused_and_it_is_cancelled) {
   CubeOverCube scene;
   const auto run = [&] {
