@@ -142,9 +142,10 @@ TuningContacts choose(const TuningRequest& request, const std::vector<ContactSit
                       const Stop& stop, unsigned threads) {
   std::array<TuningContacts, std::size(all_contact_kinds)> of_kind;
   run_parallel(of_kind.size(), threads, [&](std::size_t i) {
-    const auto own =
-        std::ranges::equal_range(found, all_contact_kinds[i], {}, &ContactSituation::kind);
-    of_kind[i] = choose_of_kind(request, {own.begin(), own.end()}, stop);
+    const ContactKind kind = all_contact_kinds[i];
+    const auto first = std::ranges::lower_bound(found, kind, {}, &ContactSituation::kind);
+    const auto last = std::ranges::upper_bound(found, kind, {}, &ContactSituation::kind);
+    of_kind[i] = choose_of_kind(request, {first, last}, stop);
   });
   TuningContacts out;
   for (const TuningContacts& each : of_kind) {
