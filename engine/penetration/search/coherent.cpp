@@ -40,9 +40,9 @@ constexpr double bend_of_metric = 1.1;
 constexpr double bend_of_force = 0.1;
 /// Units of Effort, some 10 ns each: limit of a tick after such a jump, and of the rest of a tick
 /// in which the probe itself has come as far (a fall), if nothing else limits it. The long path
-/// that is then swept can pass all of the bodies (falls of a nut that was jammed took seconds). The
-/// tick says that it has not converged and that a limit acted; the next ones continue, with the
-/// same limit.
+/// that is then swept can pass all of the bodies (the longest fall on crumpled-soup: 184 ms
+/// without, 74 ms with this limit). The tick says that it has not converged and that a limit acted;
+/// the next ones continue, with the same limit.
 constexpr std::int64_t work_after_jump = 3'000'000;
 
 }  // namespace
