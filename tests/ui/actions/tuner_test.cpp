@@ -31,16 +31,21 @@ TEST_F(TunerTest, a_study_is_computed_beside_everything_else_and_is_saved_where_
   QTest::mouseClick(compute, Qt::LeftButton);
   EXPECT_TRUE(stiffness().computing());
   EXPECT_TRUE(progress->isVisible());
-  // A study takes long beside other work: it may wait twice as long as others.
+  // A study stands back behind all else: beside other work it takes several times as long.
+  const auto wait_long = [](const auto& holds) {
+    for (int times = 0; times < 5; ++times)
+      if (wait_until(holds)) return true;
+    return false;
+  };
   const auto begun = [&] { return stiffness().tuning().has_value() || !complaints.empty(); };
-  ASSERT_TRUE(wait_until(begun) || wait_until(begun));
+  ASSERT_TRUE(wait_long(begun));
   ASSERT_TRUE(complaints.empty()) << complaints[0].toStdString();
   const std::size_t first = stiffness().tuning()->rows;
   EXPECT_FALSE(stiffness().tuning()->finished()) << "rows come as they are found";
   EXPECT_GE(find<MapPlot>("map_plot")->map().rows.size(), 1u);
   EXPECT_FALSE(find<QPushButton>("apply_recommended")->isVisible()) << "not before all are there";
   const auto goes_on = [&] { return stiffness().tuning()->rows > first; };
-  EXPECT_TRUE(wait_until(goes_on) || wait_until(goes_on));
+  EXPECT_TRUE(wait_long(goes_on));
   EXPECT_TRUE(text("study_progress_words").contains(" left"))
       << text("study_progress_words").toStdString();
   // Meanwhile the servo runs, the probe moves, the force comes and goes, and nothing is modal.
