@@ -38,21 +38,6 @@ WritableFile::WritableFile(const std::filesystem::path& file, Opening opening)
   noted(is_open());
 }
 
-WritableFile::~WritableFile() { close(); }
-
-WritableFile::WritableFile(WritableFile&& other) noexcept
-    : handle_(std::exchange(other.handle_, none)), error_(other.error_) {}
-
-WritableFile& WritableFile::operator=(WritableFile&& other) noexcept {
-  if (this == &other) return *this;
-  close();
-  handle_ = std::exchange(other.handle_, none);
-  error_ = other.error_;
-  return *this;
-}
-
-bool WritableFile::is_open() const noexcept { return handle_ != none; }
-
 bool WritableFile::noted(bool done) noexcept {
   if (!done && error_ == 0) error_ = errno;
   return done;

@@ -3,7 +3,6 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <random>
 #include <system_error>
 #include <utility>
@@ -34,21 +33,6 @@ WritableFile::WritableFile(const std::filesystem::path& file, Opening opening) {
   std::setvbuf(opened, nullptr, _IONBF, 0);  // what is written is the system's at once
   handle_ = reinterpret_cast<std::intptr_t>(opened);
 }
-
-WritableFile::~WritableFile() { close(); }
-
-WritableFile::WritableFile(WritableFile&& other) noexcept
-    : handle_(std::exchange(other.handle_, none)), error_(other.error_) {}
-
-WritableFile& WritableFile::operator=(WritableFile&& other) noexcept {
-  if (this == &other) return *this;
-  close();
-  handle_ = std::exchange(other.handle_, none);
-  error_ = other.error_;
-  return *this;
-}
-
-bool WritableFile::is_open() const noexcept { return handle_ != none; }
 
 bool WritableFile::noted(bool done) noexcept {
   if (!done && error_ == 0) error_ = errno != 0 ? errno : EIO;

@@ -44,5 +44,41 @@ TEST(Descent, stays_within_the_chart_and_free_from_its_rim) {
   EXPECT_GT(stayed, 0) << "no run was held at the rim";
 }
 
+// Reference: the same run without a limit, which goes on.
+TEST(Descent, what_has_come_far_gets_a_limit_and_says_so) {
+  std::mt19937_64 random(12);
+  int limited = 0;
+  for (const auto& pair : test::body_pairs(52)) {
+    const MassProperties& mass = pair.a->mass;
+    if (!(mass.inertia.minCoeff() > 0)) continue;
+    Descent descent(*pair.a, *pair.b, Method::pdg);
+    for (int i = 0; i < 20; ++i) {
+      const Chart chart(mass, test::random_pose(random, *pair.a, *pair.b, 0.8));
+      Vec6 y = Vec6::Zero();
+      y.tail<3>() = 1.5 * mass.radius * test::random_in_ball(random, 1).normalized();
+      if (test::any_pair_meets(*pair.a, *pair.b, Transform(chart.pose(y)))) continue;
+      descent.forget();
+      Effort unlimited;
+      const Descent::Outcome whole = descent.run(chart, y, {}, 0, unlimited);
+      EXPECT_FALSE(unlimited.is_limited()) << pair.name;
+      DescentGoal goal;
+      goal.far = 1e-3 * mass.radius;
+      goal.work_when_far = 1;
+      descent.forget();
+      Effort effort;
+      const Descent::Outcome cut = descent.run(chart, y, goal, 0, effort);
+      EXPECT_FALSE(test::any_pair_meets(*pair.a, *pair.b, Transform(chart.pose(cut.y))));
+      EXPECT_LE(cut.iterations, whole.iterations) << pair.name;
+      if ((cut.y - y).norm() <= goal.far) continue;
+      EXPECT_TRUE(effort.is_limited()) << pair.name;
+      if (whole.iterations < 3) continue;
+      EXPECT_LT(cut.iterations, whole.iterations) << pair.name;
+      EXPECT_FALSE(cut.converged) << pair.name;
+      ++limited;
+    }
+  }
+  EXPECT_GT(limited, 10);
+}
+
 }  // namespace
 }  // namespace sonde
