@@ -140,7 +140,9 @@ void MainWindow::show_session(DrawnSession drawn, bool same_document) {
   statusBar()->clearMessage();
   start_page_->hide();
   lay_desk();
-  endings_.add(std::move(drawn_.session));
+  // It lives until nothing below refers to it any more.
+  std::unique_ptr<Session> before = std::move(drawn_.session);
+  if (before) before->let_go();
   drawn_ = std::move(drawn);
   force_log_.end();
   Session& now = *drawn_.session;
@@ -165,6 +167,7 @@ void MainWindow::show_session(DrawnSession drawn, bool same_document) {
   // Last: it may have something to report, and a frame be drawn meanwhile.
   if (!same_document) suited_.reset();
   devices_->attach(session());
+  endings_.add(std::move(before));
   suit_gains();
   const Session& open = *session();  // by now it may be another
   readout_->take(open.loaded().pair);

@@ -96,7 +96,7 @@ std::size_t late_sample(const AxisResponse& r, const PulseWindow& w, double step
 
 std::string what_is_missing(const AxisResponse& r, std::size_t late, double step) {
   const double gap = r.times[late] - r.times[late - 1];
-  const std::string at = "t = " + number_text(r.times[late]) + " s";
+  const std::string at = "t = " + number_text(r.times[late], 9) + " s";
   return gap > longest_gap * step
              ? "no sample for " + number_text(1e3 * gap, 3) + " ms before " + at
              : "the sample at " + at + " repeats the one before, while the handle moves";
