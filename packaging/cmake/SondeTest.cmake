@@ -25,9 +25,11 @@ function(sonde_test NAME)
   if(NOT ARG_LABELS)
     set(ARG_LABELS ci)
   endif()
-  add_executable(test_${NAME} ${ARG_SOURCES})
+  add_executable(test_${NAME} ${ARG_SOURCES} $<TARGET_OBJECTS:sonde_test_crash_trace>)
   target_link_libraries(test_${NAME} PRIVATE sonde::engine sonde_options sonde_test_support
                                              ${ARG_LIBRARIES} GTest::gmock GTest::gtest_main)
+  # Half the time of compiling, a fifth of a whole build; what is tested is compiled as it ships.
+  target_compile_options(test_${NAME} PRIVATE $<$<CONFIG:Release>:-O1>)
   # CMake's word for whatever runs a program.
   set_target_properties(test_${NAME} PROPERTIES CROSSCOMPILING_EMULATOR "${ARG_LAUNCHER}")
   set(properties LABELS "${ARG_LABELS}" TIMEOUT 600)
