@@ -38,6 +38,7 @@ AccuracyControl::AccuracyControl(DocumentControl& documents, QMainWindow& window
   panel_->kind_chosen = [this](AccuracyPanel::Knob kind) { choose(kind); };
   panel_->time_changed = [this](double time_us) { change(time_us, 0); };
   panel_->accuracy_changed = [this](double share) { change(0, share); };
+  panel_->sure_changed = [this](double share) { be_sure(share); };
   // What changed while nobody saw it.
   connect(panel_, &QDockWidget::visibilityChanged, this, [this](bool visible) {
     reached_.clear();
@@ -50,11 +51,16 @@ void AccuracyControl::attach(Session* session) {
   session_ = session;
   sketched_ = session && session->loaded().pair.sketches();
   curve_.reset();
+  search_curve_.reset();
   here_.reset();
   reached_.clear();
-  if (session_) session_->set_time_phases(panel_->isVisible());
+  if (session_) {
+    session_->set_time_phases(panel_->isVisible());
+    session_->set_sure(sure_);
+  }
   panel_->show_reached({});
   panel_->show_search({}, 0);
+  panel_->show_claim({}, sure_);
   show_knob();
 }
 
@@ -133,14 +139,36 @@ void AccuracyControl::change(double time_us, double accuracy) {
   documents_.set_knob(wanted);
 }
 
+void AccuracyControl::be_sure(double share) {
+  sure_ = share;
+  search_curve_.reset();
+  if (!session_) return;
+  session_->set_sure(share);
+  panel_->show_claim({}, share);
+}
+
+void AccuracyControl::show_search() {
+  const auto searched = session_ ? session_->searched() : std::nullopt;
+  panel_->show_search(searched ? searched->phases : PhaseTimes(), searched ? searched->time_us : 0);
+  if (!searched || !searched->nearest) return panel_->show_claim({}, sure_);
+  if (!search_curve_)
+    search_curve_ =
+        AccuracyCurve(default_calibration(), Answers::search, Method::pdg, sketched_, sure_);
+  Separation answer;
+  answer.depth = searched->nearest->depth;
+  answer.status = answer.depth > 0 ? Status::penetrating : Status::separated;
+  answer.lower_bound = searched->lower_bound;
+  answer.far_out = searched->far_out;
+  panel_->show_claim(claim_of(answer, searched->budget_us, *search_curve_), sure_);
+}
+
 void AccuracyControl::frame(const Snapshot& tick, qint64 now) {
   if (!panel_->isVisible()) return;
   reached_.add(tick);
   if (now < due_) return;
   due_ = now + figures_ms;
   panel_->show_reached(reached_.reached());
-  const auto searched = session_ ? session_->searched() : std::nullopt;
-  panel_->show_search(searched ? searched->phases : PhaseTimes(), searched ? searched->time_us : 0);
+  show_search();
 }
 
 }  // namespace sonde::ui

@@ -33,6 +33,8 @@ class AccuracyControl : public QObject {
  private:
   void choose(AccuracyPanel::Knob kind);
   void change(double time_us, double accuracy);
+  void be_sure(double share);
+  void show_search();
   std::string bundled_scene() const;
   struct Measured {
     std::filesystem::path scene;
@@ -49,7 +51,9 @@ class AccuracyControl : public QObject {
   AccuracyPanel* panel_;
   Session* session_ = nullptr;
   bool sketched_ = false;  ///< the open pair has sketches
+  double sure_ = usually_sure;
   mutable std::optional<AccuracyCurve> curve_;
+  std::optional<AccuracyCurve> search_curve_;  ///< of searches that are as sure as sure_
   mutable std::optional<Measured> here_;
   ReachedAccuracy reached_;
   qint64 due_ = 0;

@@ -78,6 +78,8 @@ class Session {
     servo_.set_time_phases(on);
     searched_.set_time_phases(on);
   }
+  /// The share of the searches beside the ticks that should keep to their claim; 0.9 at first.
+  void set_sure(double share) { searched_.set_sure(share); }
   /// The time of a tick, or its wanted accuracy, as these say; loaded().servo has them then.
   void set_knob(const ServoSettings& servo);
 

@@ -2,6 +2,7 @@
 #include "ui/panels/accuracy_panel.hpp"
 
 #include <QButtonGroup>
+#include <QComboBox>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QLabel>
@@ -16,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/calibration/calibration.hpp"
 #include "ui/base/format.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/panels/bar.hpp"
@@ -51,6 +53,18 @@ QString microseconds(double time_us) { return number(time_us) + QStringLiteral("
 QString within(double share) {
   return std::isfinite(share) ? QStringLiteral("within ") + percent_of(share)
                               : QStringLiteral("not measured");
+}
+
+QString words(const Claim& claim, double sure) {
+  switch (claim.by) {
+    case Claim::By::nothing:
+      return QStringLiteral("not measured");
+    case Claim::By::certified:
+      return within(claim.within) + QStringLiteral(", certified");
+    case Claim::By::expected:
+      return within(claim.within) + QStringLiteral(", %1 in 100").arg(std::lround(per_cent * sure));
+  }
+  return {};
 }
 
 QString words(const Expected& expected) {
@@ -131,6 +145,7 @@ AccuracyPanel::AccuracyPanel(QWidget* parent) : QDockWidget(QStringLiteral("Accu
   const auto [scroll, content, layout] = scrolled(*this);
   build_knob(*layout);
   build_figures(*layout);
+  build_search(*layout);
   layout->addStretch();
   show_knob({}, {});
 }
@@ -189,7 +204,26 @@ void AccuracyPanel::build_figures(QVBoxLayout& layout) {
       "Mean time of each phase in the last two seconds in contact: the geometry looks for near "
       "pairs, solves for the nearest pose, and sweeps the way there; the servo's own tick couples "
       "hand and probe.");
-  form = add_group(layout, "Search beside the ticks");
+}
+
+void AccuracyPanel::build_search(QVBoxLayout& layout) {
+  QFormLayout* form = add_group(layout, "Search beside the ticks");
+  sure_ = new QComboBox(form->parentWidget());
+  sure_->setObjectName(QStringLiteral("search_sure"));
+  sure_->setToolTip(
+      QStringLiteral("The share of searches that keep to their claim. A larger one searches from "
+                     "more starts where the way out is long, and claims less."));
+  for (const double share : {0.5, 0.9, 0.99})
+    sure_->addItem(QStringLiteral("%1 %").arg(per_cent * share), share);
+  sure_->setCurrentIndex(sure_->findData(usually_sure));
+  connect(sure_, QOverload<int>::of(&QComboBox::activated), this, [this] {
+    if (sure_changed) sure_changed(sure_->currentData().toDouble());
+  });
+  form->addRow(QStringLiteral("sure"), sure_);
+  claim_ = add_value(*form, "claim", "search_claim",
+                     "How much deeper than the least depth the nearest way out of the last search "
+                     "may be, of that depth: certified by the lower bound, or as searches of that "
+                     "time were measured, in so many of a hundred.");
   search_time_ = add_value(*form, "time", "search_time",
                            "Of the last search for the nearest ways out, with and without a turn, "
                            "and for the lower bound.");
@@ -229,6 +263,10 @@ void AccuracyPanel::show_reached(const std::optional<Reached>& reached) {
   tick_->setText(microseconds(reached->tick_us));
   parts_->set(parts_of(reached->phases, phases_of_a_tick));
   phases_->setText(words(reached->phases, phases_of_a_tick));
+}
+
+void AccuracyPanel::show_claim(const std::optional<Claim>& claim, double sure) {
+  claim_->setText(claim ? words(*claim, sure) : QStringLiteral("–"));
 }
 
 void AccuracyPanel::show_search(const PhaseTimes& phases, double time_us) {

@@ -5,10 +5,12 @@
 #include <functional>
 #include <optional>
 
+#include "engine/calibration/knob.hpp"
 #include "engine/haptics/loop/servo.hpp"
 #include "ui/tuning/reached_accuracy.hpp"
 
 class QButtonGroup;
+class QComboBox;
 class QLabel;
 class QVBoxLayout;
 
@@ -39,6 +41,9 @@ class AccuracyPanel : public QDockWidget {
   /// Of the last search beside the ticks: where its time went, and all of it, µs. Nothing where it
   /// was not timed.
   void show_search(const PhaseTimes& phases, double time_us);
+  /// What the nearest way out of that search claims, and for which share of searches. None: there
+  /// is no search.
+  void show_claim(const std::optional<Claim>& claim, double sure);
 
   /// Which of the three is given: nothing, a time, an accuracy.
   enum class Knob { none, time, accuracy };
@@ -46,17 +51,20 @@ class AccuracyPanel : public QDockWidget {
   std::function<void(Knob)> kind_chosen;
   std::function<void(double time_us)> time_changed;
   std::function<void(double share)> accuracy_changed;
+  std::function<void(double share)> sure_changed;
 
  private:
   void build_knob(QVBoxLayout& layout);
   void build_figures(QVBoxLayout& layout);
+  void build_search(QVBoxLayout& layout);
 
   QButtonGroup* kinds_;
   SliderRow *time_, *accuracy_;
   QLabel *expected_, *here_, *reached_, *converged_, *rows_, *tick_;
   Bar* parts_;
   QLabel* phases_;
-  QLabel* search_time_;
+  QComboBox* sure_;
+  QLabel *claim_, *search_time_;
   Bar* search_parts_;
   QLabel* search_phases_;
 };

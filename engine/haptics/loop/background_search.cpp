@@ -20,35 +20,49 @@ namespace {
 struct Extent {
   double microseconds = 0;  ///< of each search; 0: no limit
   int starts_pdt = StaticOptions{}.starts;
+  double sure = StaticOptions{}.sure;
   bool time_phases = false;
 };
 
+struct Searched {
+  FoundWay way;
+  bool far_out = false;
+};
+
 /// Adds the times of phases to `times`; null: they are not recorded.
-std::optional<FoundWay> search(const Pair& pair, const Pose& X_FM, Method method,
+std::optional<Searched> search(const Pair& pair, const Pose& X_FM, Method method,
                                const Extent& extent, PhaseTimes* times) {
   StaticOptions options;
   options.method = method;
   if (method == Method::pdt) options.starts = extent.starts_pdt;
   options.budget.microseconds = extent.microseconds;
+  options.sure = extent.sure;
   options.want_lower_bound = false;
   options.time_phases = times != nullptr;
   const Separation separation = separate_static(pair, X_FM, options);
   if (times) *times += separation.phases;
   if (separation.status == Status::failed) return {};
-  return FoundWay{separation.depth, separation.separated};
+  return Searched{{separation.depth, separation.separated}, separation.far_out};
 }
 
 BackgroundResult compute(const Pair& pair, const Pose& X_FM, const Extent& extent) {
   const auto begin = std::chrono::steady_clock::now();
   BackgroundResult out;
   out.device = X_FM;
+  out.budget_us = extent.microseconds;
+  out.sure = extent.sure;
   PhaseTimes* const times = extent.time_phases ? &out.phases : nullptr;
-  out.pdt = search(pair, X_FM, Method::pdt, extent, times);
-  out.nearest = out.pdt;
+  if (const auto straight = search(pair, X_FM, Method::pdt, extent, times)) {
+    out.pdt = out.nearest = straight->way;
+    out.far_out = straight->far_out;
+  }
   if (out.pdt && out.pdt->depth > 0) {
     // This search has other starts and less time, so it may miss PD_t.
     const auto turned = search(pair, X_FM, Method::pdg, extent, times);
-    if (turned && turned->depth < out.pdt->depth) out.nearest = turned;
+    if (turned && turned->way.depth < out.pdt->depth) {
+      out.nearest = turned->way;
+      out.far_out = turned->far_out;
+    }
   }
   if (out.pdt) {
     const PhaseTimer timer(times, Phase::bound);
@@ -62,15 +76,17 @@ BackgroundResult compute(const Pair& pair, const Pose& X_FM, const Extent& exten
   return out;
 }
 
-BackgroundResult answer(const Pair& pair, const Pose& X_FM, bool time_phases) {
+BackgroundResult answer(const Pair& pair, const Pose& X_FM, double sure, bool time_phases) {
   try {
     return compute(pair, X_FM,
                    {.microseconds = loop_tuning.background_us,
                     .starts_pdt = loop_tuning.background_starts_pdt,
+                    .sure = sure,
                     .time_phases = time_phases});
   } catch (const std::exception&) {  // out of memory: there is no answer for this pose
     BackgroundResult none;
     none.device = X_FM;
+    none.sure = sure;
     return none;
   }
 }
@@ -119,9 +135,11 @@ struct BackgroundSearch::State {
   explicit State(const Pair& bodies) : pair(bodies) {}
 
   Pair pair;
-  std::mutex mutex;  ///< guards the four below
+  std::mutex mutex;  ///< guards the six below
   bool time_phases = false;
+  double sure = StaticOptions{}.sure;
   std::optional<Pose> wanted;
+  std::optional<Pose> newest;  ///< requested
   std::optional<BackgroundResult> result;
   bool stopping = false;
   std::condition_variable changed;
@@ -137,10 +155,11 @@ void BackgroundSearch::State::run() {
     if (stopping) return;
     const Pose X_FM = *std::exchange(wanted, std::nullopt);
     const bool timed = time_phases;
+    const double share = sure;
     lock.unlock();
-    const BackgroundResult found = answer(pair, X_FM, timed);
+    const BackgroundResult found = answer(pair, X_FM, share, timed);
     lock.lock();
-    result = found;
+    if (found.sure == sure) result = found;
   }
 }
 
@@ -161,7 +180,7 @@ BackgroundSearch::~BackgroundSearch() {
 void BackgroundSearch::request(const Pose& X_FM) {
   {
     const std::lock_guard lock(state_->mutex);
-    state_->wanted = X_FM;
+    state_->wanted = state_->newest = X_FM;
   }
   state_->changed.notify_one();
 }
@@ -169,6 +188,17 @@ void BackgroundSearch::request(const Pose& X_FM) {
 void BackgroundSearch::set_time_phases(bool on) {
   const std::lock_guard lock(state_->mutex);
   state_->time_phases = on;
+}
+
+void BackgroundSearch::set_sure(double share) {
+  {
+    const std::lock_guard lock(state_->mutex);
+    if (share == state_->sure) return;
+    state_->sure = share;
+    state_->result.reset();
+    state_->wanted = state_->newest;
+  }
+  state_->changed.notify_one();
 }
 
 std::optional<BackgroundResult> BackgroundSearch::latest() {

@@ -25,6 +25,11 @@ struct BackgroundResult {
   std::optional<FoundWay> pdt;        ///< translation only; none if the search failed
   std::optional<double> lower_bound;  ///< of √PD_g, m
   std::optional<BoundWitness> witness = {};  ///< of that bound
+  /// Separation::far_out of the search that found `nearest`, or that found none as near as the way
+  /// that the loop followed.
+  bool far_out = false;
+  double budget_us = 0;  ///< of each of the two searches; 0: none
+  double sure = 0.9;     ///< StaticOptions::sure of both
   double time_us = 0;
   PhaseTimes phases = {};  ///< of both searches and the bound, if recorded
 };
@@ -59,6 +64,9 @@ class BackgroundSearch {
   void request(const Pose& X_FM);  ///< replaces a request not yet begun
   /// Whether results report where their time went, for requests from now on; off initially.
   void set_time_phases(bool on);
+  /// StaticOptions::sure of results from now on; 0.9 initially. A pose whose result was of another
+  /// share is searched again.
+  void set_sure(double share);
   std::optional<BackgroundResult> latest();  ///< the newest finished result, if any
 
  private:

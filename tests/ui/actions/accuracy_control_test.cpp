@@ -3,12 +3,16 @@
 #include "ui/actions/accuracy_control.hpp"
 
 #include <QAction>
+#include <QComboBox>
 #include <QLabel>
 #include <QRadioButton>
 #include <QSlider>
 #include <QTest>
+#include <cmath>
+#include <limits>
 
 #include "engine/calibration/calibration_file.hpp"
+#include "engine/proximity/sketch/sketch.hpp"
 #include "engine/scene/scene.hpp"
 #include "tests/ui/window_fixture.hpp"
 #include "ui/actions/document_control.hpp"
@@ -42,6 +46,40 @@ AccuracyCurve shipped() { return {default_calibration(), Answers::tick, Method::
 TEST_F(AccuracyTest, the_calibration_that_ships_knows_ticks) {
   EXPECT_TRUE(std::isfinite(shipped().within(800)));
   EXPECT_GT(shipped().time_for(0.05), 0);
+}
+
+// Reference: the claim of the calibration that ships for that time, or the lower bound's.
+TEST_F(AccuracyTest, the_search_beside_says_what_it_claims_and_is_surer_where_that_is_chosen) {
+  const auto claims = [this](double sure) -> QString {
+    const auto searched = window->session()->searched();
+    if (!searched || !searched->nearest || searched->sure != sure) return {};
+    const double expected = AccuracyCurve(default_calibration(), Answers::search, Method::pdg,
+                                          bool(window->session()->loaded().pair.sketches()), sure)
+                                .within(searched->budget_us, searched->far_out);
+    const double certified = searched->lower_bound.value_or(0) > 0
+                                 ? searched->nearest->depth / *searched->lower_bound - 1
+                                 : std::numeric_limits<double>::infinity();
+    const bool is_certified = certified <= expected;
+    return QStringLiteral("within %1 %, %2")
+        .arg(number(100 * std::min(certified, expected)),
+             is_certified ? QStringLiteral("certified")
+                          : QStringLiteral("%1 in 100").arg(std::lround(100 * sure)));
+  };
+  ASSERT_TRUE(wait_until([&] {
+    const QString claim = claims(0.9);
+    return !claim.isEmpty() && text("search_claim") == claim;
+  })) << text("search_claim").toStdString();
+  auto* sure = find<QComboBox>("search_sure");
+  ASSERT_EQ(sure->count(), 3);
+  EXPECT_EQ(sure->currentText(), "90 %");
+  sure->setCurrentIndex(2);
+  emit sure->activated(2);
+  ASSERT_TRUE(wait_until([&] {
+    const QString claim = claims(0.99);
+    return !claim.isEmpty() && text("search_claim") == claim;
+  })) << text("search_claim").toStdString();
+  open_cubes();
+  ASSERT_TRUE(wait_until([&] { return !claims(0.99).isEmpty(); })) << "the next pair is as sure";
 }
 
 TEST_F(AccuracyTest, an_accuracy_is_chosen_moved_saved_and_undone) {

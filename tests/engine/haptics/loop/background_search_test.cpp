@@ -53,6 +53,19 @@ TEST_F(BackgroundSearchTest, computes_the_translational_depth_and_a_lower_bound)
   EXPECT_GT(r->time_us, 0);
 }
 
+TEST_F(BackgroundSearchTest, is_as_sure_as_is_wanted_from_then_on) {
+  search.request(at_depth(0.002));
+  const auto usual = answer(at_depth(0.002));
+  ASSERT_TRUE(usual);
+  EXPECT_EQ(usual->sure, StaticOptions{}.sure);
+  EXPECT_GT(usual->budget_us, 0);
+  search.set_sure(0.99);
+  const auto surer = answer(at_depth(0.002));  // searched again by itself
+  ASSERT_TRUE(surer);
+  EXPECT_EQ(surer->sure, 0.99);
+  EXPECT_FALSE(surer->far_out) << "straight up is as long as the overlap is deep";
+}
+
 TEST_F(BackgroundSearchTest, says_where_the_time_went_where_that_is_asked) {
   search.request(at_depth(0.002));
   const auto untimed = answer(at_depth(0.002));
