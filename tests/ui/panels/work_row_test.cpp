@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/work_row.hpp"
+
+#include <gtest/gtest.h>
+
+#include <QProgressBar>
+#include <QPushButton>
+
+#include "tests/ui/window_fixture.hpp"
+
+namespace sonde::ui::test {
+namespace {
+
+TEST(WorkRowTest, work_that_goes_on_can_be_stopped_and_none_can_be_started) {
+  need_application();
+  WorkRow row("Study", "study", nullptr);
+  int started = 0, stopped = 0;
+  row.start_wanted = [&] { ++started; };
+  row.stop_wanted = [&] { ++stopped; };
+  auto* const start = row.findChild<QPushButton*>("study");
+  auto* const stop = row.findChild<QPushButton*>("study_stop");
+  auto* const bar = row.findChild<QProgressBar*>();
+  row.show();
+  EXPECT_TRUE(start->isVisible());
+  EXPECT_FALSE(stop->isVisible());
+  start->click();
+  row.show_progress(0.25);
+  EXPECT_FALSE(start->isVisible());
+  EXPECT_TRUE(stop->isVisible());
+  EXPECT_EQ(bar->value(), bar->maximum() / 4);
+  stop->click();
+  row.show_progress({});
+  EXPECT_TRUE(start->isVisible());
+  EXPECT_FALSE(bar->isVisible());
+  row.set_startable(false);
+  start->click();
+  EXPECT_EQ(started, 1);
+  EXPECT_EQ(stopped, 1);
+}
+
+}  // namespace
+}  // namespace sonde::ui::test
