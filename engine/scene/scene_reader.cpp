@@ -9,6 +9,7 @@
 
 #include "engine/queries/pose_numbers.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/settings/settings.hpp"
 #include "engine/text/number_text.hpp"
 
 namespace sonde {

@@ -101,8 +101,8 @@ class Planar {
     const double reach = farther * best_;
     for (int i = 0; i < tries; ++i) {
       const double turns = std::min(reach, basis_.most_turn);
-      const Vec6 y = basis_.at(reach * random_.uniform(-1, 1), reach * random_.uniform(-1, 1),
-                               turns * random_.uniform(-1, 1));
+      const double turn = turns * random_.uniform(-1, 1), second = reach * random_.uniform(-1, 1);
+      const Vec6 y = basis_.at(reach * random_.uniform(-1, 1), second, turn);
       if (y.norm() < reach && leaps_.is_free(chart_, y)) return y;
     }
     return std::nullopt;

@@ -42,7 +42,9 @@ Vec3 in_box(Random& random, const Box& box) {
 
 Vec3 direction(Random& random) {
   for (;;) {
-    const Vec3 x(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    // One by one: in what order the arguments of a call are computed is left to the compiler.
+    Vec3 x;
+    for (int i = 2; i >= 0; --i) x[i] = random.uniform(-1, 1);
     const double length = x.norm();
     if (length > 1e-3 && length <= 1) return x / length;
   }
