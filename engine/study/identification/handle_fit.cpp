@@ -134,10 +134,16 @@ double first_inertia(const AxisResponse& r, const PulseWindow& w) {
   return excursion(modelled, w) / excursion(r.positions, w);
 }
 
+/// Relative change of the residuals, and of the parameters, at which the fit of the commands' times
+/// ends. It decides whether late commands explain the residuals; where they do not it would creep
+/// on for minutes, without a change in what is reported.
+constexpr double times_tolerance = 1e-4;
+
 VectorXd solved(const Residuals& residuals, VectorXd p) {
   Eigen::NumericalDiff<Residuals> numeric(residuals, 1e-12);
   Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Residuals>> solver(numeric);
   solver.parameters.maxfev = 100 * (residuals.inputs() + 1);
+  if (!residuals.changes.empty()) solver.parameters.ftol = solver.parameters.xtol = times_tolerance;
   solver.minimize(p);
   return p;
 }
