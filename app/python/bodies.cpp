@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "app/python/arguments.hpp"
+#include "app/python/every_row.hpp"
 #include "app/python/interruptible.hpp"
 #include "app/python/poses.hpp"
 #include "app/python/words.hpp"
@@ -52,8 +54,9 @@ Faces faces_in(const py::object& given) {
 /// those that were given.
 py::array copied(const py::array& array) { return array.attr("copy")().cast<py::array>(); }
 
-SharedBody body_of(const Numbers& vertices, const py::object& given_faces, const std::string& model,
-                   const std::string& name, const std::string& repair, const py::object& progress) {
+SharedBody body_of(const Numbers& vertices, const py::object& given_faces,
+                   const ModelArgument& model, const NameArgument& name,
+                   const RepairArgument& repair, const py::object& progress) {
   need_columns(vertices, "vertices");
   const Faces faces = faces_in(given_faces);
   std::vector<Vec3> points(static_cast<std::size_t>(vertices.shape(0)));
@@ -64,9 +67,9 @@ SharedBody body_of(const Numbers& vertices, const py::object& given_faces, const
     for (std::size_t j = 0; j < 3; ++j) {
       const std::int64_t corner = faces.data()[3 * i + j];
       if (corner < 0 || static_cast<std::size_t>(corner) >= points.size())
-        throw InputError::in(name, "face " + std::to_string(i) + ": there is no vertex " +
-                                       std::to_string(corner) + ", only " +
-                                       std::to_string(points.size()));
+        throw InputError::in(name.value, "face " + std::to_string(i) + ": there is no vertex " +
+                                             std::to_string(corner) + ", only " +
+                                             std::to_string(points.size()));
       triangles[i][j] = static_cast<std::uint32_t>(corner);
     }
   const Model chosen_model = model_of(model);
@@ -74,41 +77,44 @@ SharedBody body_of(const Numbers& vertices, const py::object& given_faces, const
   auto body = interruptible(progress, [&](Interruptible& state) {
     return make_body(points, triangles, chosen_model, name, chosen_repair, state.progress());
   });
-  return shared(std::move(body),
-                py::make_tuple("arrays", copied(vertices), copied(faces), model, name, repair));
+  return shared(std::move(body), py::make_tuple("arrays", copied(vertices), copied(faces),
+                                                model.value, name.value, repair.value));
 }
 
-SharedBody body_in(const std::filesystem::path& file, const std::string& model, double scale,
-                   const std::string& repair, const py::object& progress) {
+SharedBody body_in(const FileArgument& given, const ModelArgument& model,
+                   const Argument<"scale", double>& scale, const RepairArgument& repair,
+                   const py::object& progress) {
+  const std::filesystem::path& file = given;
   const Model chosen_model = model_of(model);
   const Repair chosen_repair = repair_of(repair);
   auto body = interruptible(progress, [&](Interruptible& state) {
     return read_body(file, chosen_model, scale, state.progress(), chosen_repair);
   });
   return shared(std::move(body), py::make_tuple("file", std::filesystem::absolute(file).string(),
-                                                model, scale, repair));
+                                                model.value, scale.value, repair.value));
 }
 
-SharedBody mesh_of(const py::object& mesh, const std::string& model, const std::string& name,
-                   const std::string& repair) {
+SharedBody mesh_of(const py::object& mesh, const ModelArgument& model, const NameArgument& name,
+                   const RepairArgument& repair) {
   if (!py::hasattr(mesh, "vertices") || !py::hasattr(mesh, "faces"))
     throw std::invalid_argument("mesh must have .vertices and .faces");
   return body_of(Numbers(py::array(mesh.attr("vertices"))), mesh.attr("faces"), model, name, repair,
                  py::none());
 }
 
-SharedBody offset_of(const SharedBody& body, double by) {
+SharedBody offset_of(const SharedBody& body, const Argument<"by", double>& by) {
   auto moved = interruptible(py::none(), [&](Interruptible& state) {
     return offset_body(*body.body, by, state.progress());
   });
-  return shared(std::move(moved), py::make_tuple("offset", body, by));
+  return shared(std::move(moved), py::make_tuple("offset", body, by.value));
 }
 
-SharedBody with_mass_of(const SharedBody& body, double measure, const py::object& centre_of_mass,
-                        const py::object& inertia, const py::object& axes) {
+SharedBody with_mass_of(const SharedBody& body, const Argument<"measure", double>& measure,
+                        const py::object& centre_of_mass, const py::object& inertia,
+                        const py::object& axes) {
   MassProperties mass = body.facts.mass;
-  if (measure > 0) mass.measure = measure;
-  if (measure < 0) throw std::invalid_argument("measure must not be negative");
+  if (measure.value > 0) mass.measure = measure;
+  if (measure.value < 0) throw std::invalid_argument("measure must not be negative");
   const auto one = [](const py::object& given, const char* what) {
     const Points points = points_of(given, what);
     if (!points.one) throw std::invalid_argument(std::string(what) + " must be of shape (3,)");
@@ -123,7 +129,7 @@ SharedBody with_mass_of(const SharedBody& body, double measure, const py::object
     for (int i = 0; i < 3; ++i) mass.R_MP.row(i) = rows.rows[static_cast<std::size_t>(i)];
   }
   return shared(with_mass(*body.body, mass),
-                py::make_tuple("mass", body, measure, centre_of_mass, inertia, axes));
+                py::make_tuple("mass", body, measure.value, centre_of_mass, inertia, axes));
 }
 
 /// Makes a body again as it was made. A file must still hold what it did.
@@ -131,13 +137,14 @@ SharedBody made_again(const py::tuple& state) {
   const auto recipe = state[0].cast<py::tuple>();
   const auto how = recipe[0].cast<std::string>();
   const auto text = [&](std::size_t i) { return recipe[i].cast<std::string>(); };
-  SharedBody out =
-      how == "arrays"
-          ? body_of(recipe[1].cast<Numbers>(), recipe[2], text(3), text(4), text(5), py::none())
-      : how == "file"   ? body_in(text(1), text(2), recipe[3].cast<double>(), text(4), py::none())
-      : how == "offset" ? offset_of(recipe[1].cast<const SharedBody&>(), recipe[2].cast<double>())
-                        : with_mass_of(recipe[1].cast<const SharedBody&>(),
-                                       recipe[2].cast<double>(), recipe[3], recipe[4], recipe[5]);
+  const auto number = [&](std::size_t i) { return recipe[i].cast<double>(); };
+  SharedBody out = how == "arrays" ? body_of(recipe[1].cast<Numbers>(), recipe[2], {text(3)},
+                                             {text(4)}, {text(5)}, py::none())
+                   : how == "file"
+                       ? body_in({text(1)}, {text(2)}, {number(3)}, {text(4)}, py::none())
+                   : how == "offset" ? offset_of(recipe[1].cast<const SharedBody&>(), {number(2)})
+                                     : with_mass_of(recipe[1].cast<const SharedBody&>(),
+                                                    {number(2)}, recipe[3], recipe[4], recipe[5]);
   if (out.facts.triangles != state[1].cast<std::size_t>() ||
       out.facts.mass.measure != state[2].cast<double>())
     throw InputError::in(out.facts.name, "is not what it was when the body was pickled");
@@ -167,8 +174,9 @@ py::object inside_of(const SharedBody& body, const py::object& given) {
   const Points points = points_of(given, "points");
   if (points.one) return py::bool_(inside(*body.body, points.rows[0]));
   py::array_t<bool> out(static_cast<py::ssize_t>(points.rows.size()));
-  bool* to = out.mutable_data();
-  for (const Vec3& x : points.rows) *to++ = inside(*body.body, x);
+  for_every_row(points.rows.size(), Takes::microseconds, [&, to = out.mutable_data()](auto i) {
+    to[i] = inside(*body.body, points.rows[i]);
+  });
   return out;
 }
 
@@ -190,8 +198,9 @@ py::tuple surface_points(const std::vector<std::optional<SurfacePoint>>& rows, b
 
 py::tuple nearest_of(const SharedBody& body, const py::object& given) {
   const Points points = points_of(given, "points");
-  std::vector<std::optional<SurfacePoint>> rows;
-  for (const Vec3& x : points.rows) rows.emplace_back(nearest_point(*body.body, x));
+  std::vector<std::optional<SurfacePoint>> rows(points.rows.size());
+  for_every_row(rows.size(), Takes::microseconds,
+                [&](auto i) { rows[i] = nearest_point(*body.body, points.rows[i]); });
   return surface_points(rows, points.one);
 }
 
@@ -199,9 +208,9 @@ py::tuple ray_of(const SharedBody& body, const py::object& origins, const py::ob
   const Points from = points_of(origins, "origins"), along = points_of(directions, "directions");
   if (from.rows.size() != along.rows.size())
     throw std::invalid_argument("origins and directions must be as many");
-  std::vector<std::optional<SurfacePoint>> rows;
-  for (std::size_t i = 0; i < from.rows.size(); ++i)
-    rows.push_back(ray(*body.body, from.rows[i], along.rows[i]));
+  std::vector<std::optional<SurfacePoint>> rows(from.rows.size());
+  for_every_row(rows.size(), Takes::microseconds,
+                [&](auto i) { rows[i] = ray(*body.body, from.rows[i], along.rows[i]); });
   return surface_points(rows, from.one && along.one);
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "app/python/initialised.hpp"
 #include "engine/sonde.hpp"
 
 namespace sonde::python {
@@ -21,3 +22,7 @@ struct SharedBody {
 void declare_body(pybind11::module_& module);
 
 }  // namespace sonde::python
+
+template <>
+struct pybind11::detail::type_caster<sonde::python::SharedBody>
+    : sonde::python::InitialisedCaster<sonde::python::SharedBody> {};

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/python/initialised.hpp"
 #include "engine/sonde.hpp"
 
 namespace sonde::python {
@@ -30,3 +31,10 @@ Depths depths_of(std::span<const Answer> answers);
 void declare_depths(pybind11::module_& module);
 
 }  // namespace sonde::python
+
+template <>
+struct pybind11::detail::type_caster<sonde::python::Depths>
+    : sonde::python::InitialisedCaster<sonde::python::Depths> {};
+template <>
+struct pybind11::detail::type_caster<sonde::Separation>
+    : sonde::python::InitialisedCaster<sonde::Separation> {};

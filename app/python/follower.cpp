@@ -16,7 +16,7 @@ namespace py = pybind11;
 using namespace py::literals;
 
 PathFollower::PathFollower(const SharedBody& probe, const SharedBody& fixed,
-                           const std::string& method, std::uint64_t seed)
+                           const MethodArgument& method, SeedArgument seed)
     : PathFollower(interruptible(py::none(),
                                  [&](Interruptible& state) {
                                    return Pair(probe.body, fixed.body, state.progress());
@@ -30,7 +30,8 @@ PathFollower::PathFollower(const PathFollower& other)
       follower_(other.follower_),
       started_(other.started_) {}
 
-Depths PathFollower::follow(const py::object& poses, int budget_steps, double budget_us) {
+Depths PathFollower::follow(const py::object& poses, BudgetSteps budget_steps,
+                            BudgetMicroseconds budget_us) {
   const Poses given = poses_of(poses);
   const Budget budget = budget_of(budget_steps, budget_us);
   std::vector<Separation> rows;
@@ -47,7 +48,8 @@ Depths PathFollower::follow(const py::object& poses, int budget_steps, double bu
   return depths_of(rows);
 }
 
-Separation PathFollower::step(const py::object& given, int budget_steps, double budget_us) {
+Separation PathFollower::step(const py::object& given, BudgetSteps budget_steps,
+                              BudgetMicroseconds budget_us) {
   const Pose pose = pose_of(given);
   const Budget budget = budget_of(budget_steps, budget_us);
   const std::unique_lock<std::mutex> mine = taken();
@@ -90,7 +92,7 @@ void declare_follower(py::module_& module) {
       "Follows a moving probe, pose by pose along free paths, so the separated\n"
       "pose never pops through. Use it from one thread at a time: a second one is refused\n"
       "with RuntimeError.")
-      .def(py::init<const SharedBody&, const SharedBody&, const std::string&, std::uint64_t>(),
+      .def(py::init<const SharedBody&, const SharedBody&, const MethodArgument&, SeedArgument>(),
            "probe"_a, "fixed"_a, "method"_a = "pdg", "seed"_a = 1,
            "Of two bodies that overlap or not. method: \"pdg\" (rigid motions) or \"pdt\"\n"
            "(translations alone); seed: of the search that finds the first separated pose.")

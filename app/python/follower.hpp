@@ -5,6 +5,7 @@
 #include <mutex>
 #include <string>
 
+#include "app/python/arguments.hpp"
 #include "app/python/bodies.hpp"
 #include "app/python/depths.hpp"
 
@@ -14,14 +15,16 @@ namespace sonde::python {
 /// thread that uses it at the same time is refused (std::runtime_error).
 class PathFollower {
  public:
-  PathFollower(const SharedBody& probe, const SharedBody& fixed, const std::string& method,
-               std::uint64_t seed);
+  PathFollower(const SharedBody& probe, const SharedBody& fixed, const MethodArgument& method,
+               SeedArgument seed);
   PathFollower(const Pair& pair, Method method, std::uint64_t seed);
   /// @pre No other thread uses it.
   PathFollower(const PathFollower& other);
 
-  Depths follow(const pybind11::object& poses, int budget_steps, double budget_us);
-  Separation step(const pybind11::object& pose, int budget_steps, double budget_us);
+  Depths follow(const pybind11::object& poses, BudgetSteps budget_steps,
+                BudgetMicroseconds budget_us);
+  Separation step(const pybind11::object& pose, BudgetSteps budget_steps,
+                  BudgetMicroseconds budget_us);
   void restart();
   PathFollower copy();
 
@@ -39,3 +42,7 @@ class PathFollower {
 void declare_follower(pybind11::module_& module);
 
 }  // namespace sonde::python
+
+template <>
+struct pybind11::detail::type_caster<sonde::python::PathFollower>
+    : sonde::python::InitialisedCaster<sonde::python::PathFollower> {};

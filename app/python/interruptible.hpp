@@ -5,11 +5,21 @@
 
 #include <atomic>
 #include <chrono>
+#include <memory>
+#include <string>
 #include <thread>
+#include <utility>
 
 #include "engine/base/error.hpp"
 
 namespace sonde::python {
+
+/// Refuses what cannot be called.
+inline void need_callable(const pybind11::object& told) {
+  if (!told.is_none() && PyCallable_Check(told.ptr()) == 0)
+    throw pybind11::type_error(std::string("progress must be a function or None, not ") +
+                               Py_TYPE(told.ptr())->tp_name);
+}
 
 /// Long work that Ctrl-C ends, and that tells a function of Python's how far it is. It is made, and
 /// its progress asked for, without the interpreter's lock.
@@ -64,6 +74,7 @@ class Interruptible {
 /// and Cancelled where the told function ended it.
 template <class Work>
 auto interruptible(const pybind11::object& told, const Work& work) {
+  need_callable(told);
   Interruptible state(told);
   try {
     const pybind11::gil_scoped_release released;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The compiled part of the Python module: bodies, pairs, depths and followers over NumPy arrays.
-// All work is done with the GIL released; depth() is what `sonde query` does, to the bit. It is
+// Long work is done with the GIL released; depth() is what `sonde query` does, to the bit. It is
 // written over the public face, engine/sonde.hpp, alone, but for what reads poses and shares out
 // work.
 

@@ -7,9 +7,11 @@
 #include <optional>
 #include <utility>
 
+#include "app/python/arguments.hpp"
 #include "app/python/bodies.hpp"
 #include "app/python/depths.hpp"
 #include "app/python/every_pose.hpp"
+#include "app/python/every_row.hpp"
 #include "app/python/follower.hpp"
 #include "app/python/interruptible.hpp"
 #include "app/python/poses.hpp"
@@ -74,10 +76,11 @@ SearchWish search_of(const std::string& method, std::uint64_t seed, unsigned thr
   return out;
 }
 
-Depths pair_depth(const SharedPair& pair, const py::object& poses, const std::string& method,
-                  std::uint64_t seed, unsigned threads, int budget_steps, double budget_us,
-                  bool whole_bound, bool clearance, std::optional<double> time,
-                  std::optional<double> accuracy, double sure, const py::object& progress) {
+Depths pair_depth(const SharedPair& pair, const py::object& poses, const MethodArgument& method,
+                  SeedArgument seed, ThreadsArgument threads, BudgetSteps budget_steps,
+                  BudgetMicroseconds budget_us, WholeBound whole_bound, WantClearance clearance,
+                  TimeArgument time, AccuracyArgument accuracy, SureArgument sure,
+                  const py::object& progress) {
   return searched(pair.pair, poses_of(poses).rows,
                   search_of(method, seed, threads, budget_steps, budget_us, whole_bound, clearance,
                             time, accuracy, sure),
@@ -85,17 +88,18 @@ Depths pair_depth(const SharedPair& pair, const py::object& poses, const std::st
 }
 
 Depths depth(const SharedBody& probe, const SharedBody& fixed, const py::object& poses,
-             const std::string& method, std::uint64_t seed, unsigned threads, int budget_steps,
-             double budget_us, bool whole_bound, bool clearance, std::optional<double> time,
-             std::optional<double> accuracy, double sure, const py::object& progress) {
+             const MethodArgument& method, SeedArgument seed, ThreadsArgument threads,
+             BudgetSteps budget_steps, BudgetMicroseconds budget_us, WholeBound whole_bound,
+             WantClearance clearance, TimeArgument time, AccuracyArgument accuracy,
+             SureArgument sure, const py::object& progress) {
   const Poses given = poses_of(poses);
   const SearchWish search = search_of(method, seed, threads, budget_steps, budget_us, whole_bound,
                                       clearance, time, accuracy, sure);
   return searched(pair_of(probe, fixed).pair, given.rows, search, progress);
 }
 
-Separation pair_separate(const SharedPair& pair, const py::object& given, const std::string& method,
-                         std::uint64_t seed, bool clearance) {
+Separation pair_separate(const SharedPair& pair, const py::object& given,
+                         const MethodArgument& method, SeedArgument seed, WantClearance clearance) {
   const Pose pose = pose_of(given);
   // Most free poses are so in less time than a progress takes to be made.
   if (!clearance && !touch(pair.pair, pose)) return separate(pair.pair, pose);
@@ -111,11 +115,8 @@ py::object pair_touch(const SharedPair& pair, const py::object& given) {
   const Poses poses = poses_of(given);
   if (poses.one) return py::bool_(touch(pair.pair, poses.rows[0]));
   py::array_t<bool> out(static_cast<py::ssize_t>(poses.rows.size()));
-  bool* to = out.mutable_data();
-  {
-    const py::gil_scoped_release released;
-    for (const Pose& pose : poses.rows) *to++ = touch(pair.pair, pose);
-  }
+  for_every_row(poses.rows.size(), Takes::microseconds,
+                [&, to = out.mutable_data()](auto i) { to[i] = touch(pair.pair, poses.rows[i]); });
   return out;
 }
 
@@ -131,11 +132,9 @@ auto vectors(std::size_t n, const auto& vector_of) {
 
 py::tuple pair_distance(const SharedPair& pair, const py::object& given) {
   const Poses poses = poses_of(given);
-  std::vector<Clearance> found;
-  {
-    const py::gil_scoped_release released;
-    for (const Pose& pose : poses.rows) found.push_back(distance(pair.pair, pose));
-  }
+  std::vector<Clearance> found(poses.rows.size());
+  for_every_row(found.size(), Takes::milliseconds,
+                [&](auto i) { found[i] = distance(pair.pair, poses.rows[i]); });
   const std::size_t n = found.size();
   return py::make_tuple(
       unless_one(rows_of(n, 1, [&](std::size_t i, std::size_t) { return found[i].distance; }),
@@ -147,8 +146,8 @@ py::tuple pair_distance(const SharedPair& pair, const py::object& given) {
 }
 
 py::object pair_signed_distance(const SharedPair& pair, const py::object& given,
-                                const std::string& method, std::uint64_t seed, unsigned threads,
-                                const py::object& progress) {
+                                const MethodArgument& method, SeedArgument seed,
+                                ThreadsArgument threads, const py::object& progress) {
   const Poses poses = poses_of(given);
   const StaticOptions options{.method = method_of(method), .seed = seed, .want_lower_bound = false};
   const auto found = of_every_pose<double>(
@@ -166,12 +165,9 @@ py::tuple pair_sweep(const SharedPair& pair, const py::object& start, const py::
   const Poses from = poses_of(start, "start"), to = poses_of(end, "end");
   if (from.rows.size() != to.rows.size())
     throw std::invalid_argument("start and end must be as many");
-  std::vector<SweptPath> found;
-  {
-    const py::gil_scoped_release released;
-    for (std::size_t i = 0; i < from.rows.size(); ++i)
-      found.push_back(sweep(pair.pair, from.rows[i], to.rows[i]));
-  }
+  std::vector<SweptPath> found(from.rows.size());
+  for_every_row(found.size(), Takes::milliseconds,
+                [&](auto i) { found[i] = sweep(pair.pair, from.rows[i], to.rows[i]); });
   const std::size_t n = found.size();
   const bool one = from.one && to.one;
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -231,17 +227,16 @@ void declare_pair(py::module_& module) {
            "of mass goes along a line, the turn about one axis.")
       .def(
           "follower",
-          [](const SharedPair& pair, const std::string& method, std::uint64_t seed) {
+          [](const SharedPair& pair, const MethodArgument& method, SeedArgument seed) {
             return PathFollower(pair.pair, method_of(method), seed);
           },
           "method"_a = "pdg", "seed"_a = 1, "A follower of the pair.")
       .def(
-          "write",
-          [](const SharedPair& p, const std::filesystem::path& file) { write_pair(file, p.pair); },
+          "write", [](const SharedPair& p, const FileArgument& file) { write_pair(file, p.pair); },
           "file"_a, "Keeps what was computed for both bodies in a file, 0.4 to 1.1 MB.")
       .def_static(
           "read",
-          [](const std::filesystem::path& file, const SharedBody& probe, const SharedBody& fixed) {
+          [](const FileArgument& file, const SharedBody& probe, const SharedBody& fixed) {
             return SharedPair{probe, fixed, read_pair(file, probe.body, fixed.body)};
           },
           "file"_a, "probe"_a, "fixed"_a,

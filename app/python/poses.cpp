@@ -27,6 +27,11 @@ Numbers numbers_in(const py::object& given, const char* what) {
 
 }  // namespace
 
+void heed_interrupts(std::size_t i) {
+  constexpr std::size_t some = 1 << 16;
+  if (i % some == some - 1 && PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
+
 Poses poses_of(const py::object& given, const char* what) {
   const Numbers numbers = numbers_in(given, what);
   const auto shape = [&](py::ssize_t i) { return i < numbers.ndim() ? numbers.shape(i) : 0; };
@@ -45,6 +50,7 @@ Poses poses_of(const py::object& given, const char* what) {
   out.rows.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const double* row = numbers.data() + step * i;
+    heed_interrupts(i);
     try {
       out.rows.push_back(matrices ? pose_of_matrix(std::span<const double, 16>(row, 16))
                                   : pose_of_numbers(std::span<const double, 7>(row, 7)));
@@ -69,8 +75,11 @@ Points points_of(const py::object& given, const char* what) {
   if ((!out.one && numbers.ndim() != 2) || numbers.shape(out.one ? 0 : 1) != 3)
     throw std::invalid_argument(std::string(what) + " must be of shape (3,) or (n, 3)");
   const auto count = static_cast<std::size_t>(out.one ? 1 : numbers.shape(0));
-  for (std::size_t i = 0; i < count; ++i)
+  out.rows.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    heed_interrupts(i);
     out.rows.push_back(Eigen::Map<const Vec3>(numbers.data() + 3 * i));
+  }
   return out;
 }
 

@@ -11,6 +11,10 @@ namespace sonde::python {
 
 using Numbers = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
 
+/// For row i of long work on arrays that is done with the interpreter's lock: now and then throws
+/// what Ctrl-C raised.
+void heed_interrupts(std::size_t i);
+
 /// Poses as they come from Python.
 struct Poses {
   std::vector<Pose> rows;
@@ -39,8 +43,10 @@ pybind11::array_t<double> rows_of(std::size_t rows, std::size_t columns, const a
   if (columns > 1) shape.push_back(static_cast<pybind11::ssize_t>(columns));
   pybind11::array_t<double> out(shape);
   double* to = out.mutable_data();
-  for (std::size_t i = 0; i < rows; ++i)
+  for (std::size_t i = 0; i < rows; ++i) {
+    heed_interrupts(i);
     for (std::size_t j = 0; j < columns; ++j) *to++ = value_of(i, j);
+  }
   return out;
 }
 /// px,py,pz,qw,qx,qy,qz.

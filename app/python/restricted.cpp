@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "app/python/arguments.hpp"
 #include "app/python/depths.hpp"
 #include "app/python/every_pose.hpp"
 #include "app/python/poses.hpp"
@@ -25,7 +26,7 @@ Depths of_all(const py::object& poses, unsigned threads, const py::object& told,
 }
 
 Depths depth_along(const SharedPair& pair, const py::object& poses, const py::object& directions,
-                   unsigned threads, const py::object& progress) {
+                   ThreadsArgument threads, const py::object& progress) {
   const std::vector<Vec3> ways = points_of(directions, "directions").rows;
   return of_all(poses, threads, progress, [&](const Pose& pose, const Progress& told) {
     return separate_along(pair.pair, pose, ways, told);
@@ -33,7 +34,7 @@ Depths depth_along(const SharedPair& pair, const py::object& poses, const py::ob
 }
 
 Depths depth_about(const SharedPair& pair, const py::object& poses, const py::object& point,
-                   const py::object& axis, unsigned threads, const py::object& progress) {
+                   const py::object& axis, ThreadsArgument threads, const py::object& progress) {
   const Vec3 on_it = vector_of(point, "point"), along = vector_of(axis, "axis");
   return of_all(poses, threads, progress, [&](const Pose& pose, const Progress& told) {
     return separate_about(pair.pair, pose, on_it, along, told);
@@ -41,7 +42,7 @@ Depths depth_about(const SharedPair& pair, const py::object& poses, const py::ob
 }
 
 Depths depth_in_plane(const SharedPair& pair, const py::object& poses, const py::object& normal,
-                      bool turning, std::uint64_t seed, unsigned threads,
+                      Argument<"turning", bool> turning, SeedArgument seed, ThreadsArgument threads,
                       const py::object& progress) {
   const InPlane motions{vector_of(normal, "normal"), turning};
   return of_all(poses, threads, progress, [&](const Pose& pose, const Progress& told) {

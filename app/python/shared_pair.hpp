@@ -18,3 +18,7 @@ struct SharedPair {
 using PairClass = pybind11::class_<SharedPair>;
 
 }  // namespace sonde::python
+
+template <>
+struct pybind11::detail::type_caster<sonde::python::SharedPair>
+    : sonde::python::InitialisedCaster<sonde::python::SharedPair> {};

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/python/arguments.hpp"
 #include "app/python/depths.hpp"
 #include "app/python/poses.hpp"
 #include "app/python/words.hpp"
@@ -18,19 +19,21 @@ namespace py = pybind11;
 using namespace py::literals;
 
 /// The wrench of rows of Depths: of their poses alone, as the coupling does without damping.
-py::array_t<double> pair_wrench(const SharedPair& pair, const py::object& of, double k,
-                                const std::string& mode, double k_t, double k_r, double max_force,
-                                double max_torque) {
+py::array_t<double> pair_wrench(const SharedPair& pair, const py::object& of,
+                                Argument<"k", double> k, const Argument<"mode", std::string>& mode,
+                                Argument<"k_t", double> k_t, Argument<"k_r", double> k_r,
+                                Argument<"max_force", double> max_force,
+                                Argument<"max_torque", double> max_torque) {
   Coupling coupling;
   coupling.mode = chosen<Coupling::Mode>(
       "mode", mode, {{"object", Coupling::Mode::object}, {"classic", Coupling::Mode::classic}});
   coupling.k = k, coupling.k_t = k_t, coupling.k_r = k_r;
   coupling.b_t = coupling.b_r = 0;
   coupling.max_force = max_force, coupling.max_torque = max_torque;
-  for (const double x : {k, k_t, k_r})
+  for (const double x : {k.value, k_t.value, k_r.value})
     if (!std::isfinite(x) || x < 0)
       throw std::invalid_argument("a stiffness must be finite, 0 or more");
-  for (const double x : {max_force, max_torque})
+  for (const double x : {max_force.value, max_torque.value})
     if (!(x >= 0)) throw std::invalid_argument("a limit must be 0 or more");
   std::vector<Separation> rows;
   if (py::isinstance<Separation>(of)) {

@@ -19,25 +19,14 @@ import numpy
 import sonde
 from numpy.typing import NDArray
 
-SOURCE = os.environ["SOURCE"]
-MODELS = os.path.join(SOURCE, "resources", "models")
-PATH = os.path.join(SOURCE, "resources", "scenes", "spoon-in-cup.path.csv")
-POSES = numpy.loadtxt(PATH, delimiter=",", skiprows=1)[:, 1:8]
+from shapes import FACES, IDENTITY, MODELS, PATH, POSES, SOURCE, box, counted_during
+from shapes import CORNERS as CORNER_ROWS
 
-CORNERS = [[x, y, z] for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]
-FACES = [
-    [0, 2, 3], [0, 3, 1], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4],
-    [2, 6, 7], [2, 7, 3], [0, 4, 6], [0, 6, 2], [1, 3, 7], [1, 7, 5],
-]  # fmt: skip
-IDENTITY = [1, 0, 0, 0]
+CORNERS = CORNER_ROWS.tolist()
 
 
 def spoon_and_cup():
     return (sonde.Body.read(os.path.join(MODELS, name)) for name in ("spoon.ply", "cup.ply"))
-
-
-def box(half=1.0):
-    return sonde.Body(half * numpy.array(CORNERS), FACES, name="box")
 
 
 def fit(by):
@@ -57,24 +46,6 @@ def query(poses, *flags):
         text = subprocess.run(command, check=True, capture_output=True, text=True).stdout
     rows = list(csv.DictReader(text.splitlines()))
     return {name: [row[name] for row in rows] for name in rows[0]}
-
-
-def counted_during(work):
-    """How far another thread counts while the work is done."""
-    counted, done = [0], threading.Event()
-
-    def count():
-        while not done.wait(1e-4):
-            counted[0] += 1
-
-    counter = threading.Thread(target=count)
-    counter.start()
-    before = counted[0]
-    work()
-    during = counted[0] - before
-    done.set()
-    counter.join()
-    return during
 
 
 def declarations():

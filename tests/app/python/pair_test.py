@@ -7,51 +7,22 @@ import math
 import multiprocessing
 import os
 import pickle
-import signal
 import subprocess
 import sys
 import tempfile
-import threading
-import time
 import unittest
 from types import SimpleNamespace
 
 import numpy
 import sonde
 
-SOURCE = os.environ["SOURCE"]
-MODELS = os.path.join(SOURCE, "resources", "models")
-PATH = os.path.join(SOURCE, "resources", "scenes", "spoon-in-cup.path.csv")
-POSES = numpy.loadtxt(PATH, delimiter=",", skiprows=1)[:, 1:8]
-CORNERS = numpy.array([[x, y, z] for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)], float)
-FACES = [
-    [0, 2, 3], [0, 3, 1], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4],
-    [2, 6, 7], [2, 7, 3], [0, 4, 6], [0, 6, 2], [1, 3, 7], [1, 7, 5],
-]  # fmt: skip
-IDENTITY = [1, 0, 0, 0]
-TURNED = numpy.array([0.36, 0.48, 0.8, 0.0])  # unit
-
-
-def box(half=1.0):
-    return sonde.Body(half * CORNERS, FACES, name="box")
-
-
-def boxes():
-    return sonde.Pair(box(), box())
-
-
-def spoon_and_cup():
-    return sonde.Pair(*(sonde.Body.read(os.path.join(MODELS, f)) for f in ("spoon.ply", "cup.ply")))
+from shapes import CORNERS, FACES, MODELS, POSES, SOURCE, TURNED, at, box, boxes, spoon_and_cup
 
 
 def turned(angle):
     """A rotation matrix about z."""
     c, s = math.cos(angle), math.sin(angle)
     return numpy.array([[c, -s, 0], [s, c, 0], [0, 0, 1.0]])
-
-
-def at(x, y=0.0, z=0.0):
-    return [x, y, z, *IDENTITY]
 
 
 def matrix_of(pose):
@@ -321,23 +292,6 @@ class Pair(unittest.TestCase):
             pair.depth(numpy.repeat(some, 50, axis=0), progress=lambda done: False)
         with self.assertRaisesRegex(ZeroDivisionError, "division"):
             pair.depth(numpy.repeat(some, 50, axis=0), progress=lambda done: 1 / 0)
-
-    def test_an_interrupt_ends_a_search_soon(self):
-        pair = spoon_and_cup()
-        many = numpy.repeat(POSES[2900:3100:100], 3000, axis=0)
-        main = threading.main_thread().ident
-        sent = []
-
-        def interrupt():
-            time.sleep(0.5)
-            sent.append(time.perf_counter())
-            signal.pthread_kill(main, signal.SIGINT)
-
-        threading.Thread(target=interrupt).start()
-        with self.assertRaises(KeyboardInterrupt):
-            pair.depth(many)
-        took = time.perf_counter() - sent[0]
-        print(f"interrupted after {1e3 * took:.0f} ms", file=sys.stderr)
 
     # Reference: where the faces of two boxes pass each other, and the corner of a turning square.
     def test_depths_among_fewer_motions_of_boxes_are_known(self):

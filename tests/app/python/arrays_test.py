@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Work on large arrays: an interrupt ends it soon, and other threads run meanwhile."""
+
+import signal
+import sys
+import threading
+import time
+import unittest
+
+import numpy
+
+from shapes import POSES, counted_during, spoon_and_cup
+
+
+def inside_bounds(body, count):
+    """Points for which the tree of a body is descended."""
+    corners = body.vertices.min(axis=0), body.vertices.max(axis=0)
+    return numpy.random.default_rng(1).uniform(*corners, (count, 3))
+
+
+def works(pair, rows):
+    """What is done with so many rows: for a million of them each takes seconds."""
+    cup, points = pair.fixed, inside_bounds(pair.fixed, rows)
+    path = numpy.resize(POSES[2000:3200], (rows, 7))
+    return {
+        "touch": lambda: pair.touch(path),
+        "distance": lambda: pair.distance(path),
+        "sweep": lambda: pair.sweep(path, path[::-1]),
+        "depth": lambda: pair.depth(path[: rows // 20]),
+        "signed_distance": lambda: pair.signed_distance(path[: rows // 20]),
+        "follow": lambda: pair.follower().follow(path[: rows // 20]),
+        "inside": lambda: cup.inside(points),
+        "nearest_point": lambda: cup.nearest_point(points),
+        "ray": lambda: cup.ray(points, points),
+    }
+
+
+class Arrays(unittest.TestCase):
+    def interrupted(self, work):
+        """How long after the interrupt it ends, s."""
+        sent = []
+
+        def interrupt():
+            time.sleep(0.5)
+            sent.append(time.perf_counter())
+            signal.pthread_kill(threading.main_thread().ident, signal.SIGINT)
+
+        other = threading.Thread(target=interrupt)
+        other.start()
+        with self.assertRaises(KeyboardInterrupt):
+            work()
+        took = time.perf_counter() - sent[0]
+        other.join()
+        return took
+
+    def test_an_interrupt_ends_work_on_any_array_soon(self):
+        for name, work in works(spoon_and_cup(), 2_000_000).items():
+            with self.subTest(name):
+                took = self.interrupted(work)
+                print(f"{name}: interrupted after {1e3 * took:.0f} ms", file=sys.stderr)
+                self.assertLess(took, 1.0, "0.2 s where nothing else runs")
+
+    def test_other_threads_run_meanwhile(self):
+        pair = spoon_and_cup()
+        for rows, names in (
+            (1_000, ("distance",)),
+            (5_000, ("touch", "sweep")),
+            (100_000, ("inside", "nearest_point", "ray")),
+        ):
+            for name in names:
+                with self.subTest(name):
+                    self.assertGreater(counted_during(works(pair, rows)[name]), 2)
+
+    def test_rows_of_an_array_are_those_of_one_by_one(self):
+        pair = spoon_and_cup()
+        poses, points = POSES[2700:3200:9], inside_bounds(pair.fixed, 70)
+        for query, rows in (
+            (lambda x: (pair.touch(x),), poses),
+            (pair.distance, poses),
+            (lambda x: pair.sweep(x, poses[:1].repeat(numpy.size(x) // 7, 0)), poses),
+            (lambda x: (pair.fixed.inside(x),), points),
+            (pair.fixed.nearest_point, points),
+            (lambda x: pair.fixed.ray(x, numpy.ones_like(x)), points),
+        ):
+            together = query(rows)
+            for i in range(len(rows)):
+                for ours, theirs in zip(query(rows[i : i + 1]), together):
+                    numpy.testing.assert_array_equal(ours[0], theirs[i])
+
+
+if __name__ == "__main__":
+    unittest.main()
