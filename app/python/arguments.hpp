@@ -58,7 +58,8 @@ std::string expected() {
   if constexpr (std::same_as<T, double>) return "a number";
   if constexpr (std::same_as<T, std::optional<double>>) return "a number or None";
   if constexpr (std::same_as<T, std::string>) return "a str";
-  return "a str or a path";
+  if constexpr (std::same_as<T, std::filesystem::path>) return "a str or a path";
+  return "an array of numbers";
 }
 
 inline void refuse_type(const char* name, const std::string& is_to_be, pybind11::handle given) {
@@ -90,10 +91,11 @@ struct type_caster<sonde::python::Argument<word, T>> {
   PYBIND11_TYPE_CASTER(Given, make_caster<T>::name);
 
   bool load(handle given, bool) {
-    if constexpr (sonde::python::is_integer<T>) sonde::python::need_room<T>(word.text, given);
     make_caster<T> inner;
-    if (!inner.load(given, true))
+    if (!inner.load(given, true)) {
+      if constexpr (sonde::python::is_integer<T>) sonde::python::need_room<T>(word.text, given);
       sonde::python::refuse_type(word.text, sonde::python::expected<T>(), given);
+    }
     value.value = cast_op<T>(std::move(inner));
     return true;
   }

@@ -9,6 +9,7 @@
 
 #include "app/python/arguments.hpp"
 #include "app/python/every_row.hpp"
+#include "app/python/fingerprint.hpp"
 #include "app/python/interruptible.hpp"
 #include "app/python/poses.hpp"
 #include "app/python/words.hpp"
@@ -32,7 +33,12 @@ Repair repair_of(const std::string& word) {
 
 SharedBody shared(std::shared_ptr<const sonde::Body> body, py::tuple recipe) {
   BodyFacts known = sonde::facts(*body);
-  return {std::move(body), std::move(known), std::move(recipe)};
+  std::uint64_t mark = 0;
+  {
+    const py::gil_scoped_release released;
+    mark = fingerprint(*body, known);
+  }
+  return {std::move(body), std::move(known), std::move(recipe), mark};
 }
 
 void need_columns(const py::array& array, const char* what) {
@@ -54,9 +60,11 @@ Faces faces_in(const py::object& given) {
 /// those that were given.
 py::array copied(const py::array& array) { return array.attr("copy")().cast<py::array>(); }
 
-SharedBody body_of(const Numbers& vertices, const py::object& given_faces,
-                   const ModelArgument& model, const NameArgument& name,
-                   const RepairArgument& repair, const py::object& progress) {
+SharedBody body_of(const Argument<"vertices", Numbers>& given_vertices,
+                   const py::object& given_faces, const ModelArgument& model,
+                   const NameArgument& name, const RepairArgument& repair,
+                   const py::object& progress) {
+  const Numbers& vertices = given_vertices;
   need_columns(vertices, "vertices");
   const Faces faces = faces_in(given_faces);
   std::vector<Vec3> points(static_cast<std::size_t>(vertices.shape(0)));
@@ -98,8 +106,8 @@ SharedBody mesh_of(const py::object& mesh, const ModelArgument& model, const Nam
                    const RepairArgument& repair) {
   if (!py::hasattr(mesh, "vertices") || !py::hasattr(mesh, "faces"))
     throw std::invalid_argument("mesh must have .vertices and .faces");
-  return body_of(Numbers(py::array(mesh.attr("vertices"))), mesh.attr("faces"), model, name, repair,
-                 py::none());
+  return body_of({Numbers(py::array(mesh.attr("vertices")))}, mesh.attr("faces"), model, name,
+                 repair, py::none());
 }
 
 SharedBody offset_of(const SharedBody& body, const Argument<"by", double>& by) {
@@ -138,7 +146,7 @@ SharedBody made_again(const py::tuple& state) {
   const auto how = recipe[0].cast<std::string>();
   const auto text = [&](std::size_t i) { return recipe[i].cast<std::string>(); };
   const auto number = [&](std::size_t i) { return recipe[i].cast<double>(); };
-  SharedBody out = how == "arrays" ? body_of(recipe[1].cast<Numbers>(), recipe[2], {text(3)},
+  SharedBody out = how == "arrays" ? body_of({recipe[1].cast<Numbers>()}, recipe[2], {text(3)},
                                              {text(4)}, {text(5)}, py::none())
                    : how == "file"
                        ? body_in({text(1)}, {text(2)}, {number(3)}, {text(4)}, py::none())
@@ -178,6 +186,14 @@ py::object inside_of(const SharedBody& body, const py::object& given) {
     to[i] = inside(*body.body, points.rows[i]);
   });
   return out;
+}
+
+py::object part_names(const SharedBody& body, const py::object& given) {
+  const Points points = points_of(given, "points");
+  std::vector<std::string> names(points.rows.size());
+  for_every_row(names.size(), Takes::microseconds,
+                [&](auto i) { names[i] = part_at(*body.body, points.rows[i]); });
+  return points.one ? py::cast(names[0]) : py::cast(names);
 }
 
 /// Point, normal and distance of each, as arrays; what is not there is not a number.
@@ -251,6 +267,9 @@ void declare_body(py::module_& module) {
       .def("nearest_point", &nearest_of, "points"_a,
            "The nearest point of the surface to each of the points, (3,) or (n, 3), in the mesh\n"
            "frame: point (n, 3), outward normal (n, 3) and distance (n,), m.")
+      .def("part_at", &part_names, "points"_a,
+           "The name of the part that is nearest to each of the points, (3,) or (n, 3), such as\n"
+           "those of contacts: str or list. It is the body's own where that has no parts.")
       .def("ray", &ray_of, "origins"_a, "directions"_a,
            "Where rays, (3,) or (n, 3) each, first meet the surface, from either side: point,\n"
            "normal and distance, NaN where they meet nothing.")

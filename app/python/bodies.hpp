@@ -16,7 +16,8 @@ namespace sonde::python {
 struct SharedBody {
   std::shared_ptr<const sonde::Body> body;
   BodyFacts facts;
-  pybind11::tuple recipe;  ///< the name of what made it, and its arguments
+  pybind11::tuple recipe;         ///< the name of what made it, and its arguments
+  std::uint64_t fingerprint = 0;  ///< tells it from other bodies
 };
 
 void declare_body(pybind11::module_& module);

@@ -3,31 +3,56 @@
 
 #include <pybind11/numpy.h>
 
-#include <span>
+#include <array>
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "app/python/fingerprint.hpp"
 #include "app/python/initialised.hpp"
 #include "engine/sonde.hpp"
 
 namespace sonde::python {
 
-/// The results of many poses as arrays, one row each: the columns of `sonde query`; and one row for
-/// each contact that holds a separated pose.
-struct Depths {
-  pybind11::array status;  ///< "separated", "penetrating" or "failed"
-  std::vector<std::string> reason;
-  pybind11::array_t<double> depth, sigma, pose, device, lower_bound, residual, clearance, within;
-  pybind11::array_t<std::int64_t> contacts, iterations;
-  pybind11::array_t<bool> converged, jumped, late;
-  pybind11::array_t<std::int64_t> contact_row;
-  pybind11::array_t<double> contact_point, contact_normal, contact_multiplier;
+/// What is told of a pose: the columns of `sonde query`.
+struct DepthRow {
+  Status status = Status::failed;
+  std::string reason;
+  double depth = 0, sigma = 0, lower_bound = 0, residual = 0, clearance = 0, within = 0;
+  std::array<double, 7> pose{}, device{};
+  std::int64_t contacts = 0, iterations = 0;
+  bool converged = false, jumped = false, late = false;
 };
-Depths depths_of(std::span<const Separation> separations);
-/// With what each claims, and whether it was late.
-Depths depths_of(std::span<const Answer> answers);
+/// One contact that holds a separated pose.
+struct ContactRow {
+  std::int64_t row = 0;  ///< the number of its pose
+  std::array<double, 3> point{}, normal{};
+  double multiplier = 0;
+};
 
-/// Declares Depths, and Separation, the result of one pose.
+/// The result of a pose; the row of its contacts is not said yet.
+struct PoseResult {
+  PoseResult() = default;
+  // NOLINTBEGIN(google-explicit-constructor): what is kept of these
+  PoseResult(const Separation& separation);
+  /// With what it claims, and whether it was late.
+  PoseResult(const Answer& answer);
+  // NOLINTEND(google-explicit-constructor)
+  DepthRow row;
+  std::vector<ContactRow> contacts;
+};
+
+/// The results of many poses, one row each.
+struct Depths {
+  std::vector<DepthRow> rows;
+  std::vector<ContactRow> contacts;  ///< in the order of their rows
+  PairMark pair;
+  /// The arrays that were asked for, by name: of few poses making all takes longer than a query.
+  std::map<std::string_view, pybind11::object> arrays;
+};
+Depths depths_of(const std::vector<PoseResult>& results, const PairMark& pair);
+
 void declare_depths(pybind11::module_& module);
 
 }  // namespace sonde::python
@@ -35,6 +60,3 @@ void declare_depths(pybind11::module_& module);
 template <>
 struct pybind11::detail::type_caster<sonde::python::Depths>
     : sonde::python::InitialisedCaster<sonde::python::Depths> {};
-template <>
-struct pybind11::detail::type_caster<sonde::Separation>
-    : sonde::python::InitialisedCaster<sonde::Separation> {};

@@ -21,11 +21,13 @@ PathFollower::PathFollower(const SharedBody& probe, const SharedBody& fixed,
                                  [&](Interruptible& state) {
                                    return Pair(probe.body, fixed.body, state.progress());
                                  }),
-                   method_of(method), seed) {}
-PathFollower::PathFollower(const Pair& pair, Method method, std::uint64_t seed)
-    : method_(method), seed_(seed), follower_(pair, method) {}
+                   {probe.fingerprint, fixed.fingerprint}, method_of(method), seed) {}
+PathFollower::PathFollower(const Pair& pair, const PairMark& mark, Method method,
+                           std::uint64_t seed)
+    : mark_(mark), method_(method), seed_(seed), follower_(pair, method) {}
 PathFollower::PathFollower(const PathFollower& other)
-    : method_(other.method_),
+    : mark_(other.mark_),
+      method_(other.method_),
       seed_(other.seed_),
       follower_(other.follower_),
       started_(other.started_) {}
@@ -34,31 +36,32 @@ Depths PathFollower::follow(const py::object& poses, BudgetSteps budget_steps,
                             BudgetMicroseconds budget_us) {
   const Poses given = poses_of(poses);
   const Budget budget = budget_of(budget_steps, budget_us);
-  std::vector<Separation> rows;
+  std::vector<PoseResult> rows;
   rows.reserve(given.rows.size());
   const std::unique_lock<std::mutex> mine = taken();
   interruptible(py::none(), [&](Interruptible& state) {
     const Progress progress = state.progress();
     for (const Pose& pose : given.rows) {
       if (!progress(0)) throw Cancelled();
-      rows.push_back(next(pose, budget, progress));
+      rows.emplace_back(next(pose, budget, progress));
     }
     return 0;
   });
-  return depths_of(rows);
+  return depths_of(rows, mark_);
 }
 
-Separation PathFollower::step(const py::object& given, BudgetSteps budget_steps,
-                              BudgetMicroseconds budget_us) {
+Found PathFollower::step(const py::object& given, BudgetSteps budget_steps,
+                         BudgetMicroseconds budget_us) {
   const Pose pose = pose_of(given);
   const Budget budget = budget_of(budget_steps, budget_us);
   const std::unique_lock<std::mutex> mine = taken();
   if (started_) {
     const py::gil_scoped_release released;
-    return follower_.follow(pose, budget);
+    return {follower_.follow(pose, budget), mark_};
   }
-  return interruptible(py::none(),
-                       [&](Interruptible& state) { return next(pose, budget, state.progress()); });
+  return interruptible(py::none(), [&](Interruptible& state) {
+    return Found(next(pose, budget, state.progress()), mark_);
+  });
 }
 
 void PathFollower::restart() {

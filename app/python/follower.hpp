@@ -8,6 +8,7 @@
 #include "app/python/arguments.hpp"
 #include "app/python/bodies.hpp"
 #include "app/python/depths.hpp"
+#include "app/python/separations.hpp"
 
 namespace sonde::python {
 
@@ -17,14 +18,13 @@ class PathFollower {
  public:
   PathFollower(const SharedBody& probe, const SharedBody& fixed, const MethodArgument& method,
                SeedArgument seed);
-  PathFollower(const Pair& pair, Method method, std::uint64_t seed);
+  PathFollower(const Pair& pair, const PairMark& mark, Method method, std::uint64_t seed);
   /// @pre No other thread uses it.
   PathFollower(const PathFollower& other);
 
   Depths follow(const pybind11::object& poses, BudgetSteps budget_steps,
                 BudgetMicroseconds budget_us);
-  Separation step(const pybind11::object& pose, BudgetSteps budget_steps,
-                  BudgetMicroseconds budget_us);
+  Found step(const pybind11::object& pose, BudgetSteps budget_steps, BudgetMicroseconds budget_us);
   void restart();
   PathFollower copy();
 
@@ -32,6 +32,7 @@ class PathFollower {
   std::unique_lock<std::mutex> taken();
   Separation next(const Pose& pose, const Budget& budget, const Progress& progress);
 
+  PairMark mark_;
   Method method_;
   std::uint64_t seed_;
   sonde::Follower follower_;

@@ -9,6 +9,7 @@
 #include "app/python/bodies.hpp"
 #include "app/python/depths.hpp"
 #include "app/python/pairs.hpp"
+#include "app/python/separations.hpp"
 
 PYBIND11_MODULE(_sonde, module) {
   using namespace sonde::python;
@@ -21,5 +22,6 @@ PYBIND11_MODULE(_sonde, module) {
       "The progress function ended the work; nothing was changed.";
   declare_body(module);
   declare_depths(module);
+  declare_separation(module);
   declare_pair(module);
 }

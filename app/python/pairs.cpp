@@ -16,6 +16,7 @@
 #include "app/python/interruptible.hpp"
 #include "app/python/poses.hpp"
 #include "app/python/restricted.hpp"
+#include "app/python/separations.hpp"
 #include "app/python/shared_pair.hpp"
 #include "app/python/words.hpp"
 #include "app/python/wrenches.hpp"
@@ -39,21 +40,16 @@ struct SearchWish {
   unsigned threads = 0;
 };
 
-Depths searched(const Pair& pair, const std::vector<Pose>& poses, const SearchWish& search,
+Depths searched(const SharedPair& pair, const std::vector<Pose>& poses, const SearchWish& search,
                 const py::object& told) {
-  if (search.knob)
-    return depths_of(
-        of_every_pose<Answer>(poses, search.threads, told, [&](const Pose& pose, const Progress&) {
-          return separate(pair, pose, *search.knob, search.options.method,
-                          seed_of_pose(search.options.seed, pose));
-        }));
-  return depths_of(of_every_pose<Separation>(
-      poses, search.threads, told, [&](const Pose& pose, const Progress& progress) {
-        StaticOptions own = search.options;
-        own.seed = seed_of_pose(search.options.seed, pose);
-        own.two_threads = search.threads != 1 && poses.size() == 1;
-        return separate(pair, pose, own, progress);
-      }));
+  const auto answer = [&](const Pose& pose, const Progress& progress) -> PoseResult {
+    StaticOptions own = search.options;
+    own.seed = seed_of_pose(search.options.seed, pose);
+    if (search.knob) return separate(pair.pair, pose, *search.knob, own.method, own.seed);
+    own.two_threads = search.threads != 1 && poses.size() == 1;
+    return separate(pair.pair, pose, own, progress);
+  };
+  return depths_of(of_every_pose<PoseResult>(poses, search.threads, told, answer), pair.mark());
 }
 
 SearchWish search_of(const std::string& method, std::uint64_t seed, unsigned threads,
@@ -81,7 +77,7 @@ Depths pair_depth(const SharedPair& pair, const py::object& poses, const MethodA
                   BudgetMicroseconds budget_us, WholeBound whole_bound, WantClearance clearance,
                   TimeArgument time, AccuracyArgument accuracy, SureArgument sure,
                   const py::object& progress) {
-  return searched(pair.pair, poses_of(poses).rows,
+  return searched(pair, poses_of(poses).rows,
                   search_of(method, seed, threads, budget_steps, budget_us, whole_bound, clearance,
                             time, accuracy, sure),
                   progress);
@@ -95,19 +91,29 @@ Depths depth(const SharedBody& probe, const SharedBody& fixed, const py::object&
   const Poses given = poses_of(poses);
   const SearchWish search = search_of(method, seed, threads, budget_steps, budget_us, whole_bound,
                                       clearance, time, accuracy, sure);
-  return searched(pair_of(probe, fixed).pair, given.rows, search, progress);
+  return searched(pair_of(probe, fixed), given.rows, search, progress);
 }
 
-Separation pair_separate(const SharedPair& pair, const py::object& given,
-                         const MethodArgument& method, SeedArgument seed, WantClearance clearance) {
+/// Not where that cannot be told: separate() says why.
+bool is_free(const Pair& pair, const Pose& pose) {
+  try {
+    return !touch(pair, pose);
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+Found pair_separate(const SharedPair& pair, const py::object& given, const MethodArgument& method,
+                    SeedArgument seed, WantClearance clearance) {
   const Pose pose = pose_of(given);
-  // Most free poses are so in less time than a progress takes to be made.
-  if (!clearance && !touch(pair.pair, pose)) return separate(pair.pair, pose);
+  // Most free poses are so in less time than other threads take to give the interpreter's lock
+  // back.
+  if (!clearance && is_free(pair.pair, pose)) return {separate(pair.pair, pose), pair.mark()};
   StaticOptions options{.method = method_of(method), .seed = seed_of_pose(seed, pose)};
   options.want_clearance = clearance;
   options.two_threads = true;
   return interruptible(py::none(), [&](Interruptible& state) {
-    return separate(pair.pair, pose, options, state.progress());
+    return Found(separate(pair.pair, pose, options, state.progress()), pair.mark());
   });
 }
 
@@ -228,7 +234,7 @@ void declare_pair(py::module_& module) {
       .def(
           "follower",
           [](const SharedPair& pair, const MethodArgument& method, SeedArgument seed) {
-            return PathFollower(pair.pair, method_of(method), seed);
+            return PathFollower(pair.pair, pair.mark(), method_of(method), seed);
           },
           "method"_a = "pdg", "seed"_a = 1, "A follower of the pair.")
       .def(
@@ -259,6 +265,9 @@ void declare_pair(py::module_& module) {
              "accuracy"_a = py::none(), "sure"_a = 0.9, "progress"_a = py::none(), depth_words);
   module.def("touch", &pair_touch, "pair"_a, "poses"_a, "As Pair.touch.");
   module.def("distance", &pair_distance, "pair"_a, "poses"_a, "As Pair.distance.");
+  module.def("signed_distance", &pair_signed_distance, "pair"_a, "poses"_a, py::kw_only(),
+             "method"_a = "pdg", "seed"_a = 1, "threads"_a = 0, "progress"_a = py::none(),
+             "As Pair.signed_distance.");
   module.def("sweep", &pair_sweep, "pair"_a, "start"_a, "end"_a, "As Pair.sweep.");
 }
 

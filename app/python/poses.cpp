@@ -10,11 +10,9 @@
 #include "engine/queries/pose_numbers.hpp"
 
 namespace sonde::python {
-namespace {
 
 namespace py = pybind11;
 
-/// An array of doubles, whatever real numbers it was made of.
 Numbers numbers_in(const py::object& given, const char* what) {
   if (py::isinstance<Numbers>(given)) return py::reinterpret_borrow<Numbers>(given);
   const py::array array(given);
@@ -24,8 +22,6 @@ Numbers numbers_in(const py::object& given, const char* what) {
                                 py::str(array.dtype()).cast<std::string>());
   return Numbers(array);
 }
-
-}  // namespace
 
 void heed_interrupts(std::size_t i) {
   constexpr std::size_t some = 1 << 16;

@@ -15,6 +15,10 @@ using Numbers = pybind11::array_t<double, pybind11::array::c_style | pybind11::a
 /// what Ctrl-C raised.
 void heed_interrupts(std::size_t i);
 
+/// An array of doubles, whatever real numbers it was made of. Throws std::invalid_argument, which
+/// names the argument, where it is of no real numbers.
+Numbers numbers_in(const pybind11::object& given, const char* what);
+
 /// Poses as they come from Python.
 struct Poses {
   std::vector<Pose> rows;

@@ -20,15 +20,16 @@ Vec3 vector_of(const py::object& given, const char* what) {
   return points.rows[0];
 }
 
-Depths of_all(const py::object& poses, unsigned threads, const py::object& told,
-              const auto& answer) {
-  return depths_of(of_every_pose<Separation>(poses_of(poses).rows, threads, told, answer));
+Depths of_all(const SharedPair& pair, const py::object& poses, unsigned threads,
+              const py::object& told, const auto& answer) {
+  return depths_of(of_every_pose<PoseResult>(poses_of(poses).rows, threads, told, answer),
+                   pair.mark());
 }
 
 Depths depth_along(const SharedPair& pair, const py::object& poses, const py::object& directions,
                    ThreadsArgument threads, const py::object& progress) {
   const std::vector<Vec3> ways = points_of(directions, "directions").rows;
-  return of_all(poses, threads, progress, [&](const Pose& pose, const Progress& told) {
+  return of_all(pair, poses, threads, progress, [&](const Pose& pose, const Progress& told) {
     return separate_along(pair.pair, pose, ways, told);
   });
 }
@@ -36,7 +37,7 @@ Depths depth_along(const SharedPair& pair, const py::object& poses, const py::ob
 Depths depth_about(const SharedPair& pair, const py::object& poses, const py::object& point,
                    const py::object& axis, ThreadsArgument threads, const py::object& progress) {
   const Vec3 on_it = vector_of(point, "point"), along = vector_of(axis, "axis");
-  return of_all(poses, threads, progress, [&](const Pose& pose, const Progress& told) {
+  return of_all(pair, poses, threads, progress, [&](const Pose& pose, const Progress& told) {
     return separate_about(pair.pair, pose, on_it, along, told);
   });
 }
@@ -45,7 +46,7 @@ Depths depth_in_plane(const SharedPair& pair, const py::object& poses, const py:
                       Argument<"turning", bool> turning, SeedArgument seed, ThreadsArgument threads,
                       const py::object& progress) {
   const InPlane motions{vector_of(normal, "normal"), turning};
-  return of_all(poses, threads, progress, [&](const Pose& pose, const Progress& told) {
+  return of_all(pair, poses, threads, progress, [&](const Pose& pose, const Progress& told) {
     const StaticOptions options{.seed = seed_of_pose(seed, pose)};
     return separate_in_plane(pair.pair, pose, motions, options, told);
   });

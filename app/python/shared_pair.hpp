@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include "app/python/bodies.hpp"
+#include "app/python/fingerprint.hpp"
 #include "engine/sonde.hpp"
 
 namespace sonde::python {
@@ -12,6 +13,7 @@ namespace sonde::python {
 struct SharedPair {
   SharedBody probe, fixed;
   Pair pair;
+  PairMark mark() const { return {probe.fingerprint, fixed.fingerprint}; }
 };
 
 /// The class that holds it, of which each file declares its part.

@@ -26,6 +26,12 @@ inline Method method_of(const std::string& word) {
   return chosen<Method>("method", word,
                         {{name_of(Method::pdg), Method::pdg}, {name_of(Method::pdt), Method::pdt}});
 }
+inline Status status_of(const std::string& word) {
+  return chosen<Status>("status", word,
+                        {{name_of(Status::separated), Status::separated},
+                         {name_of(Status::penetrating), Status::penetrating},
+                         {name_of(Status::failed), Status::failed}});
+}
 inline Budget budget_of(int steps, double microseconds) {
   if (steps < 0 || !(microseconds >= 0))
     throw std::invalid_argument("a budget must be zero (none) or more");

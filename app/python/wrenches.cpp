@@ -9,7 +9,9 @@
 
 #include "app/python/arguments.hpp"
 #include "app/python/depths.hpp"
+#include "app/python/every_row.hpp"
 #include "app/python/poses.hpp"
+#include "app/python/separations.hpp"
 #include "app/python/words.hpp"
 
 namespace sonde::python {
@@ -17,6 +19,31 @@ namespace {
 
 namespace py = pybind11;
 using namespace py::literals;
+
+/// What a wrench depends on: the status and both poses.
+Separation of_row(const DepthRow& row) {
+  const auto pose = [](const std::array<double, 7>& n) {
+    return Pose{Quat(n[3], n[4], n[5], n[6]), Vec3(n[0], n[1], n[2])};
+  };
+  Separation out;
+  out.status = row.status;
+  out.device = pose(row.device);
+  out.separated = pose(row.pose);
+  return out;
+}
+
+/// The numbers of another pair's result would look like any.
+void need_result_of(const SharedPair& pair, const PairMark& mark) {
+  if (mark != pair.mark())
+    throw std::invalid_argument("of must be a result of this pair; it is one of other bodies");
+}
+
+py::array_t<double> array_of(const std::vector<Wrench>& felt) {
+  return rows_of(felt.size(), 6, [&](std::size_t i, std::size_t j) {
+    const auto axis = static_cast<Eigen::Index>(j % 3);
+    return j < 3 ? felt[i].force[axis] : felt[i].torque[axis];
+  });
+}
 
 /// The wrench of rows of Depths: of their poses alone, as the coupling does without damping.
 py::array_t<double> pair_wrench(const SharedPair& pair, const py::object& of,
@@ -35,50 +62,59 @@ py::array_t<double> pair_wrench(const SharedPair& pair, const py::object& of,
       throw std::invalid_argument("a stiffness must be finite, 0 or more");
   for (const double x : {max_force.value, max_torque.value})
     if (!(x >= 0)) throw std::invalid_argument("a limit must be 0 or more");
-  std::vector<Separation> rows;
-  if (py::isinstance<Separation>(of)) {
-    rows.push_back(of.cast<const Separation&>());
-  } else if (py::isinstance<Depths>(of)) {
-    const auto& depths = of.cast<const Depths&>();
-    const auto status = depths.status.attr("tolist")().cast<std::vector<std::string>>();
-    for (std::size_t i = 0; i < status.size(); ++i) {
-      Separation s;
-      s.status = status[i] == "penetrating" ? Status::penetrating
-                 : status[i] == "separated" ? Status::separated
-                                            : Status::failed;
-      const auto pose = [&](const py::array_t<double>& all) {
-        const double* n = all.data() + 7 * i;
-        return Pose{Quat(n[3], n[4], n[5], n[6]), Vec3(n[0], n[1], n[2])};
-      };
-      s.device = pose(depths.device);
-      s.separated = pose(depths.pose);
-      rows.push_back(s);
-    }
-  } else {
-    throw std::invalid_argument("of must be Depths or a Separation");
+  if (py::isinstance<Found>(of)) {
+    const auto& found = of.cast<const Found&>();
+    need_result_of(pair, found.pair);
+    return array_of({wrench(pair.pair, found.separation, coupling)});
   }
-  std::vector<Wrench> felt;
-  felt.reserve(rows.size());
-  for (const Separation& row : rows) felt.push_back(wrench(pair.pair, row, coupling));
-  return rows_of(rows.size(), 6, [&](std::size_t i, std::size_t j) {
-    const auto axis = static_cast<Eigen::Index>(j % 3);
-    return j < 3 ? felt[i].force[axis] : felt[i].torque[axis];
+  if (!py::isinstance<Depths>(of)) throw std::invalid_argument("of must be Depths or a Separation");
+  const auto& depths = of.cast<const Depths&>();
+  need_result_of(pair, depths.pair);
+  std::vector<Wrench> felt(depths.rows.size());
+  for_every_row(felt.size(), Takes::microseconds, [&](std::size_t i) {
+    felt[i] = wrench(pair.pair, of_row(depths.rows[i]), coupling);
+  });
+  return array_of(felt);
+}
+
+py::array_t<double> array_of(const WrenchDerivative::Matrix& matrix) {
+  return rows_of(6, 6, [&](std::size_t i, std::size_t j) {
+    return matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
   });
 }
 
 /// d(depth), d(wrench) on either side, and which sides there are.
-py::tuple pair_derivative(const SharedPair& pair, const Separation& of) {
-  const WrenchDerivative d = wrench_derivative(pair.pair, of, Neighbours::all);
-  const auto matrix = [](const WrenchDerivative::Matrix& m) {
-    return rows_of(6, 6, [&](std::size_t i, std::size_t j) {
-      return m(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-    });
-  };
+py::tuple pair_derivative(const SharedPair& pair, const py::object& of) {
+  if (!py::isinstance<Found>(of)) throw std::invalid_argument("of must be a Separation");
+  const auto& found = of.cast<const Found&>();
+  need_result_of(pair, found.pair);
+  const WrenchDerivative d = wrench_derivative(pair.pair, found.separation, Neighbours::all);
   const char* sides = d.sides == WrenchDerivative::Sides::all   ? "all"
                       : d.sides == WrenchDerivative::Sides::two ? "two"
                                                                 : "none";
-  return py::make_tuple(py::array_t<double>(6, d.d_depth.data()), matrix(d.d_wrench),
-                        matrix(d.d_wrench_held), sides);
+  return py::make_tuple(py::array_t<double>(6, d.d_depth.data()), array_of(d.d_wrench),
+                        array_of(d.d_wrench_held), sides);
+}
+
+/// The values (3,) and the directions (3, 3), a row each.
+py::tuple arrays_of(const std::array<PrincipalStiffness, 3>& three) {
+  return py::make_tuple(rows_of(3, 1, [&](std::size_t i, std::size_t) { return three[i].value; }),
+                        rows_of(3, 3, [&](std::size_t i, std::size_t j) {
+                          return three[i].direction[static_cast<Eigen::Index>(j)];
+                        }));
+}
+
+py::tuple principal_of(const py::object& given, Argument<"k", double> k) {
+  const Numbers d_wrench = numbers_in(given, "d_wrench");
+  if (d_wrench.ndim() != 2 || d_wrench.shape(0) != 6 || d_wrench.shape(1) != 6)
+    throw std::invalid_argument("d_wrench must be of shape (6, 6)");
+  WrenchDerivative derivative;
+  for (Eigen::Index i = 0; i < 6; ++i)
+    for (Eigen::Index j = 0; j < 6; ++j) derivative.d_wrench(i, j) = d_wrench.at(i, j);
+  if (!derivative.d_wrench.allFinite()) throw std::invalid_argument("d_wrench must be finite");
+  if (!std::isfinite(k.value)) throw std::invalid_argument("k must be finite");
+  const PrincipalStiffnesses found = principal_stiffnesses(derivative, k);
+  return py::tuple(arrays_of(found.translation) + arrays_of(found.rotation));
 }
 
 }  // namespace
@@ -91,17 +127,21 @@ void declare_wrenches(py::module_& module, PairClass& pair) {
           "frame, (n, 6), of Depths or a Separation of this pair. mode \"object\": k in N/m;\n"
           "\"classic\": k_t in N/m and k_r in N m/rad, without damping.")
       .def("derivative", &pair_derivative, "of"_a,
-           "How the depth (6,) and the wrench (6, 6), at k = 1, of a Separation of this pair "
-           "change\n"
-           "with its pose: by a displacement of the probe's centre of mass, m, and a rotation\n"
-           "vector, rad, in the fixed frame. Then the wrench's on the other side, and \"all\" "
-           "where\n"
-           "both are one, \"two\" where contacts begin or end at this pose, or \"none\" where "
-           "there\n"
-           "is no derivative.");
+           "How the depth (6,) and the wrench (6, 6), at k = 1, of a Separation of this pair\n"
+           "change with its pose: by a displacement of the probe's centre of mass, m, and a\n"
+           "rotation vector, rad, in the fixed frame. Then the wrench's on the other side, and\n"
+           "\"all\" where both are one, \"two\" where contacts begin or end at this pose, or\n"
+           "\"none\" where there is no derivative.");
   module.def("wrench", &pair_wrench, "pair"_a, "of"_a, "k"_a = 1000.0, "mode"_a = "object",
              "k_t"_a = 1000.0, "k_r"_a = 1.0, "max_force"_a = 1e30, "max_torque"_a = 1e30,
              "As Pair.wrench.");
+  module.def("derivative", &pair_derivative, "pair"_a, "of"_a, "As Pair.derivative.");
+  module.def(
+      "principal_stiffnesses", &principal_of, "d_wrench"_a, "k"_a = 1000.0,
+      "The stiffness that the hand feels at a gain of k, N/m, in its principal directions, the\n"
+      "largest first, of a (6, 6) that derivative() gave, of either side: of displacements (3,),\n"
+      "N/m, along directions (3, 3), a row each, unit, in the fixed frame; and of turns about\n"
+      "the centre of mass (3,), N m/rad, about directions (3, 3).");
 }
 
 }  // namespace sonde::python

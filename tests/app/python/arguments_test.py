@@ -60,10 +60,14 @@ class Arguments(unittest.TestCase):
             (lambda: sonde.Body.read(3), "file must be a str or a path, not int"),
             (lambda: pair.write(3), "file must be a str or a path, not int"),
             (lambda: sonde.Body(CORNERS, FACES, name=3), "name must be a str"),
+            (lambda: sonde.Body("x", FACES), "vertices must be an array of numbers, not str"),
             (lambda: box().offset("x"), "by must be a number"),
             (lambda: box().with_mass(measure=None), "measure must be a number"),
         ):
             self.refused(TypeError, words, call)
+        self.refused(
+            ValueError, "of must be a Separation", lambda: pair.derivative(pair.depth(at(3)))
+        )
         for seed, threads in ((numpy.int64(1), numpy.uint8(1)), (True, 1)):
             self.assertEqual(len(pair.depth(at(1.9), seed=seed, threads=threads)), 1)
         with self.assertRaisesRegex(sonde.InputError, "nowhere.ply"):

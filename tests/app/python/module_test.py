@@ -261,7 +261,7 @@ class Module(unittest.TestCase):
                 if isinstance(node, ast.FunctionDef)
                 and "property" not in map(ast.unparse, node.decorator_list)
             ]
-        self.assertEqual(len(pairs), 35)
+        self.assertEqual(len(pairs), 39)
         for node, function in pairs:
             compiled = signature_of(function)
             self.assertEqual(as_declared(signature_in(node), compiled), compiled, node.name)
