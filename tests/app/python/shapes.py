@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies and poses of the tests: boxes, whose distances and depths are known, and a spoon in a cup."""
+"""Bodies and poses of the tests: boxes, whose depths are known, and a spoon in a cup."""
 
 import os
 import threading
