@@ -2,16 +2,20 @@
 #include "engine/sonde.hpp"
 
 #include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/base/effort.hpp"
 #include "engine/base/numbers.hpp"
+#include "engine/base/round_to_nearest.hpp"
 #include "engine/body/body.hpp"
 #include "engine/calibration/calibration_file.hpp"
 #include "engine/haptics/coupling/coupler.hpp"
 #include "engine/mending/repair_sentences.hpp"
 #include "engine/offset/offset_faces.hpp"
 #include "engine/penetration/search/coherent.hpp"
+#include "engine/penetration/search/option_check.hpp"
 #include "engine/penetration/search/static_search.hpp"
 #include "engine/proximity/sketch/sketch.hpp"
 
@@ -60,15 +64,22 @@ void check(const std::string& name, const MassProperties& mass) {
   if (!mass.com.allFinite()) throw InputError::in(name, "the centre of mass is not finite");
   if (!mass.inertia.allFinite() || !(mass.inertia.minCoeff() >= 0))
     throw InputError::in(name, "the moments of inertia must be finite, and none negative");
+  if (!(mass.inertia.maxCoeff() > 0))
+    throw InputError::in(name, "the moments of inertia must not all be 0: no turn would count");
   const Mat3 off = mass.R_MP.transpose() * mass.R_MP - Mat3::Identity();
   if (!(off.cwiseAbs().maxCoeff() < 1e-9) || !(mass.R_MP.determinant() > 0))
     throw InputError::in(name, "the axes R_MP are no rotation");
+}
+
+Sentences sentences_of(const std::vector<std::string>& all) {
+  return {all.data(), all.data() + all.size()};
 }
 
 }  // namespace
 
 std::shared_ptr<const Body> read_body(const std::filesystem::path& file, Model model, double scale,
                                       const Progress& progress, Repair repair) {
+  const RoundToNearest round_to_nearest;
   if (!(scale > 0) || !std::isfinite(scale))
     throw InputError::in(file.string(), "the scale must be positive and finite");
   return load_body(file.string(), model, scale, progress, repair);
@@ -78,14 +89,17 @@ std::shared_ptr<const Body> make_body(std::span<const Vec3> vertices,
                                       std::span<const std::array<std::uint32_t, 3>> triangles,
                                       Model model, const std::string& name, Repair repair,
                                       const Progress& progress) {
+  const RoundToNearest round_to_nearest;
   return make_body(checked(vertices, triangles, name), model, name, progress, repair);
 }
 
 std::shared_ptr<const Body> offset_body(const Body& body, double by, const Progress& progress) {
+  const RoundToNearest round_to_nearest;
   return offset_faces(body, by, progress);
 }
 
 std::shared_ptr<const Body> with_mass(const Body& body, const MassProperties& mass) {
+  const RoundToNearest round_to_nearest;
   check(body.name, mass);
   return with_other_mass(body, mass);
 }
@@ -98,8 +112,8 @@ BodyFacts facts(const Body& body) {
           .why = body.why,
           .turned = body.turned,
           .repairs = body.repairs,
-          .mended = sentences(body.repairs),
-          .remarks = body.remarks,
+          .mended = sentences_of(sentences(body.repairs)),
+          .remarks = sentences_of(body.remarks),
           .mass = body.mass,
           .offset = body.offset};
 }
@@ -111,11 +125,14 @@ std::span<const std::array<std::uint32_t, 3>> triangles(const Body& body) {
 
 Separation separate(const Pair& pair, const Pose& X_FM, const StaticOptions& options,
                     const Progress& progress) {
+  const RoundToNearest round_to_nearest;
+  check(options);
   return separate_static(pair, X_FM, options, progress);
 }
 
 SignedDistance signed_distance(const Pair& pair, const Pose& X_FM, const StaticOptions& options,
                                const Progress& progress) {
+  const RoundToNearest round_to_nearest;
   SignedDistance out;
   out.clearance = distance(pair, X_FM);
   StaticOptions own = options;
@@ -132,6 +149,7 @@ SignedDistance signed_distance(const Pair& pair, const Pose& X_FM, const StaticO
 
 Answer separate(const Pair& pair, const Pose& X_FM, const Knob& knob, Method method,
                 std::uint64_t seed) {
+  const RoundToNearest round_to_nearest;
   check(knob);
   const AccuracyCurve curve(default_calibration(), Answers::search, method, bool(pair.sketches()),
                             knob.sure);
@@ -165,10 +183,13 @@ Follower& Follower::operator=(const Follower& other) {
 
 const Separation& Follower::start(const Pose& X_FM, const StaticOptions& options,
                                   const Progress& progress) {
+  const RoundToNearest round_to_nearest;
+  check(options);
   return state_->solver.reset(X_FM, options, progress);
 }
 
 const Separation& Follower::follow(const Pose& X_FM, const Budget& budget) noexcept {
+  const RoundToNearest round_to_nearest;
   return state_->solver.tick(X_FM, budget);
 }
 
@@ -177,11 +198,13 @@ void Follower::time_phases(bool on) noexcept { state_->solver.time_phases(on); }
 const Separation& Follower::last() const noexcept { return state_->solver.last(); }
 
 Wrench wrench(const Pair& pair, const Separation& now, const Coupling& coupling) noexcept {
+  const RoundToNearest round_to_nearest;
   return Coupler(pair.probe().mass, coupling).wrench(now, 0);
 }
 
 Wrench wrench(const Pair& pair, const Separation& now, const Separation& before, double dt,
               const Coupling& coupling) noexcept {
+  const RoundToNearest round_to_nearest;
   Coupler coupler(pair.probe().mass, coupling);
   coupler.wrench(before, 0);
   return coupler.wrench(now, dt);

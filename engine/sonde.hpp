@@ -17,10 +17,10 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "engine/base/error.hpp"                              // InputError, Cancelled, Progress
 #include "engine/base/phase_times.hpp"                        // Phase, PhaseTimes
+#include "engine/base/sentences.hpp"                          // Sentences
 #include "engine/calibration/knob.hpp"                        // Knob, Claim
 #include "engine/geometry/face_offset.hpp"                    // FaceOffset
 #include "engine/geometry/mass.hpp"                           // MassProperties
@@ -90,8 +90,9 @@ std::shared_ptr<const Body> offset_body(const Body& body, double by, const Progr
 /// of another density (facts() gives the body's own), or a point and moments that weigh turns
 /// against displacements: four times the inertia doubles the norm of a turn. `radius` is computed.
 /// Forces and torques are about `mass.com`. The result needs as much memory as the body.
-/// @throws InputError, naming the body, where the measure is not positive, a moment is negative, a
-/// number is not finite, or the axes R_MP are no rotation (to 1e-9).
+/// (The moments need not be those of any mass.)
+/// @throws InputError, naming the body, where the measure is not positive, a moment is negative or
+/// all are 0, a number is not finite, or the axes R_MP are no rotation (to 1e-9).
 std::shared_ptr<const Body> with_mass(const Body& body, const MassProperties& mass);
 
 /// Facts about a body.
@@ -103,8 +104,8 @@ struct BodyFacts {
   std::string why;             ///< why it is a solid or a surface: "closed: the inside counts", ...
   bool turned = false;         ///< the mesh was inside out
   Repairs repairs;             ///< what was done so that it has an inside, counted
-  std::vector<std::string> mended;   ///< the same in words, a sentence each
-  std::vector<std::string> remarks;  ///< what is odd about the file and was read all the same
+  Sentences mended;            ///< the same in words, a sentence each
+  Sentences remarks;           ///< what is odd about the file and was read all the same
   /// At density 1, in the mesh frame. The object norm uses it, and torques are about its centre of
   /// mass.
   MassProperties mass;
@@ -127,12 +128,14 @@ std::span<const std::array<std::uint32_t, 3>> triangles(const Body& body);  ///<
 /// do not turn the probe. The returned pose is verified free with exact predicates, so the depth is
 /// an upper bound of the true depth; `lower_bound` is a lower bound. X_FM.q need not have length 1.
 ///
-/// Never throws on geometry: a pose that is not finite, or too far away to compute with, has
-/// Status::failed and a reason. The same pair, pose, seed and counted budget give the same bits, on
-/// one thread or two. Any number of threads may call it on one pair at once. Allocates.
+/// Never throws on geometry: a pose that is not finite, whose quaternion has no length, or that is
+/// too far away to compute with, has Status::failed and a reason. The same pair, pose, seed and
+/// counted budget give the same bits, on one thread or two. Any number of threads may call it on
+/// one pair at once. Allocates.
 ///
 /// `progress` is called on the calling thread between starts, which take milliseconds. Its argument
 /// is the share of the permitted starts that is done; most searches end long before 1.
+/// @throws InputError, naming the option, where one is outside its range.
 /// @throws Cancelled where `progress` returns false.
 /// @throws std::bad_alloc.
 Separation separate(const Pair& pair, const Pose& X_FM, const StaticOptions& options = {},
@@ -150,7 +153,7 @@ struct SignedDistance {
 /// distance() where the bodies are apart, and separate() where they are not, in one call. Takes and
 /// promises what these do. Both parts are 0 where the bodies just touch; there, the distance is
 /// continuous in the pose.
-/// @throws InputError as touch().
+/// @throws InputError as touch() and separate().
 /// @throws Cancelled where `progress` returns false.
 SignedDistance signed_distance(const Pair& pair, const Pose& X_FM,
                                const StaticOptions& options = {}, const Progress& progress = {});
@@ -195,15 +198,16 @@ class Follower {
   /// search finds one, which may take seconds, and the result is `jumped`. The method and the wish
   /// for a bound in the options have no effect. After a failure the follower has not started.
   /// Allocates.
+  /// @throws InputError as separate(); then it is as before.
   /// @throws Cancelled where `progress` returns false (as of separate()); then it is as before.
   /// @throws std::bad_alloc.
   const Separation& start(const Pose& X_FM, const StaticOptions& options = {},
                           const Progress& progress = {});
 
-  /// Follows to the next device pose. Fails before a start, and at a pose that is not finite or is
-  /// further away than 1e9 times the bodies' size. A failure changes nothing: the next call
-  /// continues from the pose before. Neither allocates, locks, logs nor throws. Without a budget it
-  /// continues until it has converged.
+  /// Follows to the next device pose. Fails before a start, at a pose that is not finite or is
+  /// further away than 1e9 times the bodies' size, and with a budget that is not valid. A failure
+  /// changes nothing: the next call continues from the pose before. Neither allocates, locks, logs
+  /// nor throws. Without a budget it continues until it has converged.
   const Separation& follow(const Pose& X_FM, const Budget& budget = {}) noexcept;
 
   /// From now on, says where the time of a result went (Separation::phases), or not.

@@ -300,7 +300,10 @@ void declare_body(py::module_& module) {
       .def_property_readonly(
           "why", [](const SharedBody& b) { return b.facts.why; }, "Why it is a solid or a surface.")
       .def_property_readonly(
-          "mended", [](const SharedBody& b) { return b.facts.mended; },
+          "mended",
+          [](const SharedBody& b) {
+            return std::vector(b.facts.mended.begin(), b.facts.mended.end());
+          },
           "What was done so that it has an inside, a sentence each.")
       .def_property_readonly(
           "measure", [](const SharedBody& b) { return b.facts.mass.measure; },

@@ -6,7 +6,8 @@
 namespace sonde {
 
 using Vec3 = Eigen::Vector3d;  ///< a point, m, or a direction; the variable's name gives the frame
-using Mat3 = Eigen::Matrix3d;  ///< a rotation R_BA or a tensor
+/// A rotation R_BA or a tensor. By columns, whatever a program lets Eigen do without being told.
+using Mat3 = Eigen::Matrix<double, 3, 3, Eigen::ColMajor>;
 /// A rotation q_BA, of length 1. It is not aligned, so that its offset in a struct does not depend
 /// on a program's compiler flags.
 using Quat = Eigen::Quaternion<double, Eigen::DontAlign>;

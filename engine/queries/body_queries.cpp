@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "engine/base/round_to_nearest.hpp"
 #include "engine/body/body.hpp"
 #include "engine/proximity/queries/inside.hpp"
 #include "engine/proximity/queries/placement.hpp"
@@ -27,17 +28,20 @@ Vec3 normal_of(const Body& body, std::uint32_t triangle) {
 }  // namespace
 
 bool inside(const Body& body, const Vec3& x) {
+  const RoundToNearest round_to_nearest;
   if (!x.allFinite()) throw InputError("the point is not finite");
   return body.solid && winds_around(body, x);
 }
 
 SurfacePoint nearest_point(const Body& body, const Vec3& x) {
+  const RoundToNearest round_to_nearest;
   check(x, "the point");
   const NearestPoint found = nearest_point(body, x, 0);
   return {found.point, normal_of(body, found.triangle), found.distance};
 }
 
 std::string_view part_at(const Body& body, const Vec3& x) {
+  const RoundToNearest round_to_nearest;
   check(x, "the point");
   std::string_view nearest = body.name;
   double least = std::numeric_limits<double>::infinity();
@@ -49,6 +53,7 @@ std::string_view part_at(const Body& body, const Vec3& x) {
 }
 
 std::optional<SurfacePoint> ray(const Body& body, const Vec3& from, const Vec3& direction) {
+  const RoundToNearest round_to_nearest;
   check(from, "the start of the ray");
   check(direction, "the direction of the ray");
   const Vec3 unit = direction.stableNormalized();

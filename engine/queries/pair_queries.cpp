@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/queries/pair_queries.hpp"
 
+#include "engine/base/round_to_nearest.hpp"
 #include "engine/body/body.hpp"
 #include "engine/penetration/descent/result.hpp"
 #include "engine/penetration/search/clearance_of.hpp"
@@ -16,10 +17,19 @@ namespace {
 /// R: the gap at the end of a swept path; larger than the rounding of poses of the probe's size.
 constexpr double kept_gap = 1e-9;
 
+/// m: beyond it the square of a motion's length may not be finite.
+constexpr double furthest = 1e150;
+
 Pose checked(const Pose& X) {
-  if (!is_finite(X)) throw InputError("the pose is not finite");
-  if (!(X.q.squaredNorm() > 0)) throw InputError("the pose's quaternion has no length");
+  if (const char* fault = fault_of(X)) throw InputError(fault);
   return {X.q.normalized(), X.p};
+}
+
+Pose checked_within_reach(const Pose& X) {
+  const Pose out = checked(X);
+  if (X.p.cwiseAbs().maxCoeff() > furthest)
+    throw InputError("the pose is too far from the origin to compute with");
+  return out;
 }
 
 /// @pre The pose is checked.
@@ -44,9 +54,13 @@ Contact contact_of(const Body& probe, const Body& fixed, const Pose& X_FM, const
 
 }  // namespace
 
-bool touch(const Pair& pair, const Pose& X_FM) { return meet(pair, checked(X_FM)); }
+bool touch(const Pair& pair, const Pose& X_FM) {
+  const RoundToNearest round_to_nearest;
+  return meet(pair, checked(X_FM));
+}
 
 Clearance distance(const Pair& pair, const Pose& X_FM) {
+  const RoundToNearest round_to_nearest;
   const Pose X = checked(X_FM);
   const Body &probe = pair.probe(), &fixed = pair.fixed();
   // If rounding is large, the exact test decides first whether a distance means anything.
@@ -61,7 +75,8 @@ Clearance distance(const Pair& pair, const Pose& X_FM) {
 }
 
 SweptPath sweep(const Pair& pair, const Pose& X0_FM, const Pose& X1_FM) {
-  const Pose from = checked(X0_FM), to = checked(X1_FM);
+  const RoundToNearest round_to_nearest;
+  const Pose from = checked_within_reach(X0_FM), to = checked_within_reach(X1_FM);
   SweptPath out;
   out.X_FM = from;
   if (meet(pair, from)) {

@@ -13,8 +13,9 @@ namespace sonde {
 /// that is a solid. 0.3 to 0.8 µs in the median on bundled pairs, 60 at the 99th percentile. Any
 /// number of threads may call it on one pair. Allocates if the predicates need exact numbers.
 /// X_FM.q need not have length 1.
-/// @throws InputError if the pose is not finite, its quaternion has no length, or the bodies are so
-/// far from the origin, compared with their size, that rounding makes contacts meaningless.
+/// @throws InputError if the pose is not finite, the square of its quaternion's length is 0 or not
+/// finite, or the probe may touch the fixed body and is so far from the origin, compared with its
+/// size, that rounding makes contacts meaningless.
 bool touch(const Pair& pair, const Pose& X_FM);
 
 /// The distance of the bodies and the closest points, with the probe at X_FM. It is 0 if touch() is
@@ -44,7 +45,7 @@ struct SweptPath {
 /// however thin (conservative advancement). 0.12 to 0.17 ms in the median on motions as long as
 /// bundled pairs are, 6 to 34 ms at the 99th percentile. Threads, allocation and lengths of
 /// quaternions as for touch().
-/// @throws InputError as touch() does, for either pose.
+/// @throws InputError as touch() does, for either pose, and if one is beyond 1e150 m.
 SweptPath sweep(const Pair& pair, const Pose& X0_FM, const Pose& X1_FM);
 
 }  // namespace sonde

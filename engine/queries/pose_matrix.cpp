@@ -3,9 +3,12 @@
 
 #include <cmath>
 
+#include "engine/base/round_to_nearest.hpp"
+
 namespace sonde {
 
 Pose pose_of_matrix(std::span<const double, 16> m) {
+  const RoundToNearest round_to_nearest;
   Mat3 R;
   Vec3 p;
   for (int i = 0; i < 3; ++i) {

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a caller of the public face may set and stop: signed distances, the norm, progress, copies.
+// What a caller of the public face may set and stop: signed distances, the norm, progress, copies,
+// the rounding of its own numbers.
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
+#include "engine/base/round_to_nearest.hpp"
 #include "engine/body/body.hpp"
 #include "engine/sonde.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/contact_path.hpp"
+#include "tests/support/temp_folder.hpp"
 
 namespace sonde {
 namespace {
@@ -86,6 +91,7 @@ TEST(WithMass, properties_of_no_body_are_refused_with_the_reason) {
   refused([](MassProperties& m) { m.measure = 0; });
   refused([](MassProperties& m) { m.measure = -1; });
   refused([](MassProperties& m) { m.inertia[1] = -1e-9; });
+  refused([](MassProperties& m) { m.inertia.setZero(); });
   refused([](MassProperties& m) { m.com[0] = std::numeric_limits<double>::infinity(); });
   refused([](MassProperties& m) { m.R_MP(0, 0) += 1e-3; });
   refused([](MassProperties& m) { m.R_MP.col(2) = -m.R_MP.col(2); });
@@ -153,6 +159,77 @@ TEST(FollowerCopy, goes_on_from_the_same_state_and_allocates_nothing) {
       in_contact += now.status == Status::penetrating;
     }
     EXPECT_GT(in_contact, 20) << bodies.name;
+  }
+}
+
+/// A number or more of every function of the face that computes.
+std::vector<double> answers(const PolygonSoup& knot, const Body& block_body, const Pose& in,
+                            const Pose& out, const std::filesystem::path& file) {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (const Triangle& t : triangulate(knot).soup.triangles) triangles.push_back(t);
+  const auto block = with_mass(block_body, facts(block_body).mass);
+  const auto body = make_body(knot.points, triangles);
+  const auto smaller = offset_body(*block, -0.001);
+  const Pair pair(body, block);
+  write_pair(file, pair);
+  const Pair again = read_pair(file, body, block);
+  const Separation found = separate(pair, in, {.budget = {.steps = 30}});
+  Follower follower(again);
+  follower.start(out);
+  const Separation followed = follower.follow(in);
+  const SweptPath path = sweep(pair, out, in);
+  const WrenchDerivative change = wrench_derivative(pair, followed, Neighbours::all);
+  const SurfacePoint near = nearest_point(*body, Vec3(0.4, 0.1, 0.3));
+  const auto hit = ray(*body, Vec3(0.5, 0.45, 0.3), Vec3(-1, 0.1, 0));
+  Eigen::Matrix4d M;
+  M << 0.6, -0.8, 0, 0.1, 0.8, 0.6, 0, 0.2, 0, 0, 1, 0.3, 0, 0, 0, 1;
+  const auto number = [](bool x) { return x ? 1.0 : 0.0; };
+  return {facts(*body).mass.measure,
+          facts(*smaller).mass.radius,
+          found.depth,
+          found.lower_bound.value_or(-1),
+          found.separated.q.x(),
+          followed.depth,
+          followed.separated.p.z(),
+          number(touch(pair, in)),
+          distance(pair, out).distance,
+          path.free,
+          path.X_FM.q.y(),
+          signed_distance(pair, out).distance,
+          separate_along(pair, in, std::vector<Vec3>{Vec3::UnitZ()}).depth,
+          separate_about(pair, in, Vec3(1, 0, 0), Vec3::UnitY()).depth,
+          separate_in_plane(pair, in, {Vec3::UnitX()}, {.starts = 2}).depth,
+          separate(pair, out, Knob{}).separation.depth,
+          wrench(pair, found, {}).torque.x(),
+          wrench(pair, found, followed, 1e-3, {}).force.z(),
+          change.d_wrench(3, 3),
+          principal_stiffnesses(change, 500).rotation[1].value,
+          near.distance,
+          hit ? hit->distance : -1.0,
+          number(inside(*block, Vec3(0.1, 0.1, 0.04))),
+          static_cast<double>(seed_of_pose(3, in) >> 12),
+          pose_of(M).q.z()};
+}
+
+// Reference: the same calls with numbers rounded to the nearest, as programs begin.
+TEST(Rounding, a_caller_that_rounds_otherwise_gets_the_same_bits_and_keeps_its_mode) {
+  const PolygonSoup knot = test::torus_knot(2, 3, 0.1, 0.04, 0.03, 40, 8);
+  const auto block = test::body(test::box({0.3, 0.3, 0.1}));
+  const Pose in{Quat(Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized())), Vec3(0.02, 0.01, 0.06)},
+      out{in.q, Vec3(0.02, 0.01, 0.3)};
+  const test::TempFolder folder;
+  const std::vector<double> expected = answers(knot, *block, in, out, folder / "pair");
+  EXPECT_GT(expected[2], 0.01);
+  EXPECT_GT(expected[8], 0.01);
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    ASSERT_EQ(std::fesetround(mode), 0);
+    const std::vector<double> found = answers(knot, *block, in, out, folder / "pair");
+    const int kept = std::fegetround();
+    const bool still = !RoundToNearest::is_set();
+    std::fesetround(FE_TONEAREST);
+    EXPECT_EQ(kept, mode);
+    EXPECT_TRUE(still);
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(found[i], expected[i]) << i;
   }
 }
 

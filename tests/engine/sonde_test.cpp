@@ -224,12 +224,45 @@ TEST(Face, a_follower_that_has_not_started_says_so) {
 
 TEST(Face, a_pose_that_is_no_pose_fails_with_a_reason) {
   const Pair pair(brick.body(), block.body());
-  for (const Pose& X : {Pose{Quat::Identity(), Vec3(0, nan, 0)},
-                        Pose{Quat(0, 0, 0, 0), Vec3::Zero()}, Pose{Quat(inf, 0, 0, 0), {}}}) {
+  Follower follower(pair);
+  ASSERT_EQ(follower.start({Quat::Identity(), Vec3(0, 0, 1)}).status, Status::separated);
+  for (const auto& [X, word] : {std::pair{Pose{Quat::Identity(), Vec3(0, nan, 0)}, "finite"},
+                                {Pose{Quat(0, 0, 0, 0), Vec3::Zero()}, "length"},
+                                {Pose{Quat(1e160, 0, 0, 0), Vec3::Zero()}, "length"},
+                                {Pose{Quat(1e-160, 0, 0, 0), Vec3::Zero()}, "length"},
+                                {Pose{Quat(inf, 0, 0, 0), Vec3::Zero()}, "finite"}}) {
     const Separation s = separate(pair, X);
     EXPECT_EQ(s.status, Status::failed);
-    EXPECT_STRNE(s.reason, "");
+    EXPECT_THAT(s.reason, HasSubstr(word));
     EXPECT_EQ(wrench(pair, s, {}).force, Vec3::Zero().eval());
+    EXPECT_EQ(follower.follow(X).status, Status::failed);
+    EXPECT_THAT(follower.last().reason, HasSubstr(word));
+  }
+}
+
+TEST(Face, options_that_make_no_sense_are_refused_by_name) {
+  const Pair pair(brick.body(), block.body());
+  const Pose X = some_poses()[0];
+  const auto refused = [&](const StaticOptions& options, const std::string& word) {
+    EXPECT_THAT(complaint_of([&] { separate(pair, X, options); }), HasSubstr(word));
+    EXPECT_THAT(complaint_of([&] { signed_distance(pair, X, options); }), HasSubstr(word));
+    Follower follower(pair);
+    EXPECT_THAT(complaint_of([&] { follower.start(X, options); }), HasSubstr(word));
+    EXPECT_EQ(follower.last().status, Status::failed) << "it has not started";
+  };
+  refused({.starts = 0}, "starts");
+  refused({.starts = -5}, "starts");
+  refused({.agreement = -1}, "agreement");
+  for (const double sure : {nan, -1.0, 0.0, 1.0, 5.0}) refused({.sure = sure}, "sure");
+  for (const double share : {nan, -0.1, 1.1})
+    refused({.share_for_bound = share}, "share_for_bound");
+  for (const Budget& budget : {Budget{.steps = -1}, Budget{.microseconds = -1},
+                               Budget{.microseconds = nan}, Budget{.work = -1}}) {
+    refused({.budget = budget}, "budget");
+    Follower follower(pair);
+    follower.start({Quat::Identity(), Vec3(0, 0, 1)});
+    EXPECT_THAT(follower.follow(X, budget).reason, HasSubstr("budget"));
+    EXPECT_EQ(follower.follow(X).status, Status::penetrating) << "it goes on from before";
   }
 }
 

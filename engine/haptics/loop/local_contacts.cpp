@@ -117,7 +117,7 @@ class LocalProblem {
 
 LocalAnswer separate_locally(const MassProperties& mass, Method method,
                              const LocalContacts& contacts, const Pose& X_FM) noexcept {
-  if (!is_finite(X_FM)) return {failed(X_FM, "the device pose is not finite"), false};
+  if (const char* fault = fault_of(X_FM)) return {failed(X_FM, fault), false};
   const Separation& known = contacts.separation;
   const Pose device{X_FM.q.normalized(), X_FM.p};
   if (known.status == Status::failed) return {failed(device, known.reason), false};

@@ -153,11 +153,15 @@ struct Separation {
 
 /// The work that one query may do; 0 means no limit of that kind. `steps` counts iterations of the
 /// local optimiser, and `work` the units of Effort of a tick (both give the same bits on every
-/// machine). `microseconds` is wall-clock time.
+/// machine). `microseconds` is wall-clock time. A budget that is negative or NaN is invalid.
 struct Budget {
   int steps = 0;            ///< iterations; 0: no limit
   double microseconds = 0;  ///< wall-clock time, µs; 0: no limit
   std::int64_t work = 0;    ///< coherent only
 };
+/// Whether no limit is negative or NaN.
+constexpr bool is_valid(const Budget& budget) {
+  return budget.steps >= 0 && budget.work >= 0 && budget.microseconds >= 0;
+}
 
 }  // namespace sonde

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/penetration/descent/result.hpp"
 
+#include <cmath>
+
 #include "engine/penetration/contact/contact_clusters.hpp"
 
 namespace sonde {
 
-bool is_finite(const Pose& X) {
-  return X.p.allFinite() && X.q.coeffs().allFinite() && X.q.squaredNorm() > 0;
+const char* fault_of(const Pose& X) noexcept {
+  if (!X.p.allFinite() || !X.q.coeffs().allFinite()) return "the pose is not finite";
+  // Beyond the normal numbers a square has lost digits, or all.
+  if (!std::isnormal(X.q.squaredNorm()))
+    return "the length of the pose's quaternion is 0, or beyond what can be computed with";
+  return nullptr;
 }
 
 Separation failed(const Pose& device, const char* reason) noexcept {

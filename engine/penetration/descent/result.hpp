@@ -5,7 +5,10 @@
 
 namespace sonde {
 
-bool is_finite(const Pose& X);
+/// Why a pose cannot be computed with, static text: a number is not finite, or the quaternion has
+/// no length or one whose square is not finite. Null if it can.
+const char* fault_of(const Pose& X) noexcept;
+inline bool is_finite(const Pose& X) noexcept { return fault_of(X) == nullptr; }
 
 /// A failed answer for the pose O; the reason is static text.
 Separation failed(const Pose& device, const char* reason) noexcept;

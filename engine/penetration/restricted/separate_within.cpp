@@ -6,11 +6,13 @@
 #include <optional>
 
 #include "engine/base/progress.hpp"
+#include "engine/base/round_to_nearest.hpp"
 #include "engine/body/body.hpp"
 #include "engine/geometry/chart.hpp"
 #include "engine/penetration/descent/result.hpp"
 #include "engine/penetration/restricted/nearest_free.hpp"
 #include "engine/penetration/restricted/planar_search.hpp"
+#include "engine/penetration/search/option_check.hpp"
 #include "engine/penetration/search/trivial_separation.hpp"
 #include "engine/proximity/queries/placement.hpp"
 
@@ -71,6 +73,7 @@ Progress turn_of(const Progress& progress, std::size_t turn, std::size_t turns) 
 
 Separation separate_along(const Pair& pair, const Pose& X_FM, std::span<const Vec3> directions_F,
                           const Progress& progress) {
+  const RoundToNearest round_to_nearest;
   if (directions_F.empty()) throw InputError("there are no directions");
   std::vector<Vec3> directions;
   directions.reserve(directions_F.size());
@@ -91,6 +94,7 @@ Separation separate_along(const Pair& pair, const Pose& X_FM, std::span<const Ve
 
 Separation separate_about(const Pair& pair, const Pose& X_FM, const Vec3& point_F,
                           const Vec3& axis_F, const Progress& progress) {
+  const RoundToNearest round_to_nearest;
   const Vec3 axis = unit(axis_F, "the axis");
   if (!point_F.allFinite()) throw InputError("the point of the axis is not finite");
   const Pose X = normalized(X_FM);
@@ -111,6 +115,8 @@ Separation separate_about(const Pair& pair, const Pose& X_FM, const Vec3& point_
 
 Separation separate_in_plane(const Pair& pair, const Pose& X_FM, const InPlane& motions,
                              const StaticOptions& options, const Progress& progress) {
+  const RoundToNearest round_to_nearest;
+  check(options);
   const Vec3 normal = unit(motions.normal_F, "the normal");
   const Pose X = normalized(X_FM);
   if (const auto settled = trivial_separation(pair.probe(), pair.fixed(), X)) return *settled;

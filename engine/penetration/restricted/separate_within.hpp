@@ -46,7 +46,7 @@ struct InPlane {
 /// holds for a subset. Of the other options, the seed, the time budget and want_lower_bound work as
 /// in separate(); the rest have no effect. The contacts satisfy y = P Jᵀλ, with P the projection
 /// onto the motions. `pdt` is not set. Allocates; threads and X_FM.q as above.
-/// @throws InputError if the normal is not finite or 0.
+/// @throws InputError if the normal is not finite or 0, or as separate().
 /// @throws Cancelled if `progress` returns false.
 Separation separate_in_plane(const Pair& pair, const Pose& X_FM, const InPlane& motions,
                              const StaticOptions& options = {}, const Progress& progress = {});

@@ -219,8 +219,9 @@ const Separation& CoherentSolver::reset(const Pose& X_FM, const StaticOptions& o
 const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) noexcept {
   State& s = *state_;
   const char* refusal = !s.started              ? "not started"
-                        : !is_finite(X_FM)      ? "the device pose is not finite"
+                        : !is_finite(X_FM)      ? fault_of(X_FM)
                         : !s.within_reach(X_FM) ? "the device pose is too far away to compute with"
+                        : !is_valid(budget)     ? "the budget is negative or NaN"
                                                 : nullptr;
   if (refusal) {
     s.last = failed(X_FM, refusal);

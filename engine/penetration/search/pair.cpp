@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "engine/base/round_to_nearest.hpp"
 #include "engine/proximity/sketch/sketch.hpp"
 
 namespace sonde {
@@ -13,13 +14,19 @@ std::shared_ptr<const Body> given(std::shared_ptr<const Body> body) {
   return body;
 }
 
+std::shared_ptr<const Sketches> sketches_of(const Body& probe, const Body& fixed,
+                                            const Progress& progress) {
+  const RoundToNearest round_to_nearest;
+  return std::make_shared<const Sketches>(make_sketches(probe, fixed, progress));
+}
+
 }  // namespace
 
 Pair::Pair(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed,
            const Progress& progress)
     : probe_(given(std::move(probe))),
       fixed_(given(std::move(fixed))),
-      sketches_(std::make_shared<const Sketches>(make_sketches(*probe_, *fixed_, progress))) {}
+      sketches_(sketches_of(*probe_, *fixed_, progress)) {}
 
 Pair::Pair(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed,
            std::shared_ptr<const Sketches> sketches) noexcept

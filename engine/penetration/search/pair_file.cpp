@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "engine/base/round_to_nearest.hpp"
 #include "engine/body/body.hpp"
 #include "engine/proximity/sketch/sketch.hpp"
 #include "engine/text/output_file.hpp"
@@ -175,6 +176,7 @@ class Reader {
 }  // namespace
 
 void write_pair(const std::filesystem::path& file, const Pair& pair) {
+  const RoundToNearest round_to_nearest;
   Writer out;
   out.put(fingerprint(pair.probe()));
   out.put(fingerprint(pair.fixed()));
@@ -192,6 +194,7 @@ void write_pair(const std::filesystem::path& file, const Pair& pair) {
 
 Pair read_pair(const std::filesystem::path& file, std::shared_ptr<const Body> probe,
                std::shared_ptr<const Body> fixed) {
+  const RoundToNearest round_to_nearest;
   if (!probe || !fixed) throw InputError("a pair needs two bodies");
   const std::string text = read_text(file, most);
   Reader whole(file.string(), text);

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <bit>
 
+#include "engine/base/round_to_nearest.hpp"
 #include "engine/geometry/random.hpp"
 
 namespace sonde {
 
 std::uint64_t seed_of_pose(std::uint64_t seed, const Pose& X_FM) {
+  const RoundToNearest round_to_nearest;
   const Eigen::Vector4d q = X_FM.q.coeffs();
   const auto first = std::find_if(q.begin(), q.end(), [](double x) { return x != 0; });
   const double sign = first != q.end() && *first < 0 ? -1 : 1;

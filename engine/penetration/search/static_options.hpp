@@ -15,8 +15,10 @@ struct StaticOptions {
   std::uint64_t seed = 1;  ///< seed of the random starts; any number
   /// The search descends from at most this many random starts. With evidence from sketches it makes
   /// fewer (SearchTuning::most_after_sketches).
+  /// At least 1.
   int starts = 384;
-  /// The search ends when this many independent starts have ended at the best depth, to 2 %.
+  /// The search ends when this many independent starts have ended at the best depth, to 2 %. At
+  /// least 1.
   int agreement = 12;
   /// The share of answers, above 0 and below 1, that should be the best there is, to the stated
   /// accuracy. A larger share makes the search use more starts where the way out is long
@@ -30,8 +32,8 @@ struct StaticOptions {
   /// search took, by count, plus its start points. The bound may then be lower, and there is none
   /// if a time budget leaves less than 0.3 ms.
   bool whole_bound = false;
-  /// The share of a time budget that is reserved for the bound. 0: the bound gets what the search
-  /// leaves.
+  /// The share of a time budget that is reserved for the bound, 0 to 1. 0: the bound gets what the
+  /// search leaves.
   double share_for_bound = 0;
   /// If the pose is free, also compute the distance of the bodies (Separation::clearance), at the
   /// cost of distance().

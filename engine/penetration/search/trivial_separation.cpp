@@ -22,7 +22,7 @@ bool ball_is_clear(const Body& probe, const Body& fixed, const Transform& X, dou
 
 std::optional<Separation> trivial_separation(const Body& probe, const Body& fixed,
                                              const Pose& X_FM) {
-  if (!is_finite(X_FM)) return failed(X_FM, "the pose is not finite");
+  if (const char* fault = fault_of(X_FM)) return failed(X_FM, fault);
   // This test does not use the trees: if rounding is as large as a body, all boxes overlap.
   const double rounding = rounding_guard(extent(probe), extent(fixed), X_FM.p);
   const Transform X(X_FM);

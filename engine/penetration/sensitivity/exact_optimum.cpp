@@ -213,6 +213,7 @@ bool ExactOptimum::can_open(std::span<HalfSpace> free, std::size_t i) noexcept {
 
 int ExactOptimum::find_weak(double push, double gap) noexcept {
   weak_count_ = strong_count_ = 0;
+  curvature_ = curvature();
   std::array<std::size_t, most_rows> candidates;
   std::size_t count = 0;
   Directions directions;
@@ -249,23 +250,23 @@ Directions ExactOptimum::held_directions(bool weak_hold) const noexcept {
   return out;
 }
 
-int ExactOptimum::held() const noexcept { return static_cast<int>(held_directions(false).held()); }
-
 /// The derivative of Q with respect to O, in coordinates that are all lengths.
-bool ExactOptimum::response(bool weak_hold, Mat6& out) const noexcept {
+bool ExactOptimum::response(bool weak_hold, Change& out) const noexcept {
   Directions directions = held_directions(weak_hold);
   directions.complete();
-  const FreeCurvature free(curvature(), directions);
+  out.held = static_cast<int>(directions.held());
+  const FreeCurvature free(curvature_, directions);
   if (!free.is_strict()) return false;
   Mat6 pull = at_.by_motion;
   pull.bottomRightCorner<3, 3>() += cross_matrix(at_.wrench.tail<3>());
   pull.bottomRightCorner<3, 3>() /= turn_ * turn_;
-  for (Eigen::Index i = 0; i < 6; ++i) out.col(i) = free.solve(pull.col(i));
+  for (Eigen::Index i = 0; i < 6; ++i) out.in_lengths.col(i) = free.solve(pull.col(i));
   return true;
 }
 
 bool ExactOptimum::derivative(bool weak_hold, Change& out) const noexcept {
-  if (!response(weak_hold, out.separated)) return false;
+  if (!response(weak_hold, out)) return false;
+  out.separated = out.in_lengths;
   out.separated.topRightCorner<3, 3>() *= turn_;
   out.separated.bottomLeftCorner<3, 3>() /= turn_;
   Mat6 relative = out.separated;
@@ -279,10 +280,9 @@ bool ExactOptimum::derivative(bool weak_hold, Change& out) const noexcept {
   return true;
 }
 
-Vec6 ExactOptimum::weak_gap_rate() const noexcept {
-  Mat6 way;
-  if (weak_count_ == 0 || !response(false, way)) return Vec6::Zero();
-  Vec6 out = way.transpose() * in_lengths(row_[weak_[0]]);
+Vec6 ExactOptimum::weak_gap_rate(const Change& without_weak) const noexcept {
+  if (weak_count_ == 0) return Vec6::Zero();
+  Vec6 out = without_weak.in_lengths.transpose() * in_lengths(row_[weak_[0]]);
   out.tail<3>() *= turn_;
   return out;
 }

@@ -46,8 +46,6 @@ class ExactOptimum {
   ContactSet contacts() const noexcept;
   double depth() const noexcept { return std::sqrt(at_.sigma); }
   const Vec6& wrench() const noexcept { return at_.wrench; }
-  /// Number of independent rows that hold the probe, without the weak ones.
-  int held() const noexcept;
 
   /// Finds the weak rows, of which rounding or the clearance decides whether they hold: rows that
   /// bear at most `push` (m, λ), and rows that bear nothing and are within `gap` (m), except those
@@ -56,14 +54,17 @@ class ExactOptimum {
 
   /// Derivatives with respect to O's motion.
   struct Change {
-    Mat6 wrench;     ///< of (F, τ)
-    Mat6 separated;  ///< of Q, as (ξ, ψ)
+    Mat6 wrench;      ///< of (F, τ)
+    Mat6 separated;   ///< of Q, as (ξ, ψ)
+    Mat6 in_lengths;  ///< the same in coordinates that are all lengths
+    int held;         ///< number of independent rows that hold the probe
   };
   /// The derivative if weak rows hold, or if they do not. Returns false if the optimum is not
   /// strict.
   bool derivative(bool weak_hold, Change& out) const noexcept;
-  /// The derivative of the first weak row's gap with respect to O's motion, if no weak row holds.
-  Vec6 weak_gap_rate() const noexcept;
+  /// The derivative of the first weak row's gap with respect to O's motion, by the derivative if no
+  /// weak row holds; 0 if there is no weak row.
+  Vec6 weak_gap_rate(const Change& without_weak) const noexcept;
 
  private:
   void look() noexcept;
@@ -71,7 +72,7 @@ class ExactOptimum {
   Directions held_directions(bool weak_hold) const noexcept;
   bool choose() noexcept;
   double step() noexcept;
-  bool response(bool weak_hold, Mat6& out) const noexcept;
+  bool response(bool weak_hold, Change& out) const noexcept;
   Mat6 curvature() const noexcept;
   const FeatureRowAt& active_row(std::size_t k) const { return row_[of_[k]]; }
   Vec6 in_lengths(const FeatureRowAt& row) const noexcept;
@@ -90,6 +91,7 @@ class ExactOptimum {
   std::array<double, 6> lambda_;   ///< their multipliers, m
   std::size_t strong_count_ = 0, weak_count_ = 0;
   std::array<std::size_t, most_rows> strong_, weak_;
+  Mat6 curvature_;  ///< at the optimum
 };
 
 }  // namespace sonde

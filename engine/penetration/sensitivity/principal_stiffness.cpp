@@ -3,6 +3,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "engine/base/round_to_nearest.hpp"
+
 namespace sonde {
 namespace {
 
@@ -17,6 +19,7 @@ std::array<PrincipalStiffness, 3> principal(const Mat3& stiffness) noexcept {
 }  // namespace
 
 PrincipalStiffnesses principal_stiffnesses(const WrenchDerivative& derivative, double k) noexcept {
+  const RoundToNearest round_to_nearest;
   const WrenchDerivative::Matrix stiffness = -k * derivative.d_wrench;
   return {principal(stiffness.topLeftCorner<3, 3>()),
           principal(stiffness.bottomRightCorner<3, 3>())};

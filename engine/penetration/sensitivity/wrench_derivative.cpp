@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/base/round_to_nearest.hpp"
 #include "engine/body/body.hpp"
 #include "engine/penetration/descent/descent.hpp"
 #include "engine/penetration/search/far_apart.hpp"
@@ -125,6 +126,7 @@ class Settling {
 
 WrenchDerivative wrench_derivative(const Pair& pair, const Separation& now,
                                    Neighbours neighbours) noexcept {
+  const RoundToNearest round_to_nearest;
   if (now.status == Status::failed) return without("there is no separation");
   WrenchDerivative out;
   if (now.status == Status::separated) {
@@ -145,12 +147,12 @@ WrenchDerivative wrench_derivative(const Pair& pair, const Separation& now,
   if (!strict) return without("the optimum is not strict");
   out.sides = weak > 0 ? WrenchDerivative::Sides::two : WrenchDerivative::Sides::all;
   if (weak > 0) out.reason = "a contact is about to begin or to end";
-  out.rows = optimum.held();
+  out.rows = left.held;
   out.d_depth = -optimum.wrench() / optimum.depth();
   out.d_separated = left.separated;
   out.d_wrench = left.wrench;
   out.d_wrench_held = weak > 0 ? held.wrench : left.wrench;
-  out.leaves = optimum.weak_gap_rate();
+  out.leaves = optimum.weak_gap_rate(left);
   return out;
 }
 

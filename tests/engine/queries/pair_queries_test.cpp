@@ -210,13 +210,18 @@ TEST(PairQueries, what_is_no_pose_is_refused_with_the_reason) {
   const Pose good{Quat::Identity(), Vec3(2, 0, 0)};
   for (const Pose& bad :
        {Pose{Quat::Identity(), Vec3(nan, 0, 0)}, Pose{Quat(nan, 0, 0, 0), Vec3(2, 0, 0)},
-        Pose{Quat(0, 0, 0, 0), Vec3(2, 0, 0)}}) {
+        Pose{Quat(0, 0, 0, 0), Vec3(2, 0, 0)}, Pose{Quat(1e160, 0, 0, 0), Vec3(2, 0, 0)}}) {
     EXPECT_THROW(touch(pair, bad), InputError);
     EXPECT_THROW(distance(pair, bad), InputError);
     EXPECT_THROW(sweep(pair, bad, good), InputError);
     EXPECT_THROW(sweep(pair, good, bad), InputError);
   }
-  EXPECT_FALSE(touch(pair, {Quat::Identity(), Vec3(1e200, 0, 0)})) << "far, but apart";
+  const Pose lost{Quat::Identity(), Vec3(1e200, 0, 0)};
+  EXPECT_FALSE(touch(pair, lost)) << "far, but apart";
+  EXPECT_THROW(sweep(pair, good, lost), InputError);
+  for (const double far : {1e3, 1e9, 1e20, 1e150, 1e200, 1e300})
+    EXPECT_NEAR(distance(pair, {Quat::Identity(), Vec3(far, 0, 0)}).distance / far, 1 - 1 / far,
+                1e-14);
 }
 
 }  // namespace

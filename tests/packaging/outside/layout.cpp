@@ -3,6 +3,8 @@
 // this is compiled with, since the library was compiled with its own.
 #include <cstdio>
 #include <sonde/sonde.hpp>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -24,9 +26,9 @@ int main() {
   std::vector<sonde::Vec3> corners;
   for (int i = 0; i < 8; ++i)
     corners.push_back(0.1 * sonde::Vec3(i & 1, (i >> 1) & 1, (i >> 2) & 1));
-  const std::vector<std::array<std::uint32_t, 3>> faces{{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6},
-                                                        {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7},
-                                                        {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  std::vector<std::array<std::uint32_t, 3>> faces{{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6},
+                                                  {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7},
+                                                  {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
   const auto box = sonde::make_body(corners, faces);
   const sonde::Pair pair(box, box);
 
@@ -44,8 +46,14 @@ int main() {
   const sonde::ContactCluster& cluster = found.clusters.items[0];
   SAY(cluster, pitch), SAY(cluster, id);
   const sonde::BodyFacts facts = sonde::facts(*box);
-  SAY(facts, mass), SAY(facts, offset);
+  SAY(facts, mended), SAY(facts, remarks), SAY(facts, mass), SAY(facts, offset);
   SAY(facts.mass, com), SAY(facts.mass, inertia), SAY(facts.mass, radius);
+  // Its principal axes are no symmetric matrix, and it had to be mended: one triangle is twice
+  // there.
+  for (sonde::Vec3& corner : corners)
+    corner = pose.q * sonde::Vec3(corner.x(), 2 * corner.y(), 3 * corner.z());
+  faces.push_back(faces.front());
+  const sonde::BodyFacts tilted = sonde::facts(*sonde::make_body(corners, faces));
   const sonde::Answer answer = sonde::separate(pair, pose, sonde::Knob{});
   SAY(answer, claim), SAY(answer, late);
   const sonde::Coupling coupling;
@@ -79,6 +87,10 @@ int main() {
   for (int i = 0; i < 6; ++i)
     std::printf("derivative %.17g, %.17g\n", derivative.d_depth[i], derivative.d_wrench(i, i));
   std::printf("mass %.17g of radius %.17g\n", facts.mass.measure, facts.mass.radius);
+  for (int i = 0; i < 3; ++i)
+    std::printf("axes %.17g %.17g %.17g\n", tilted.mass.R_MP(i, 0), tilted.mass.R_MP(i, 1),
+                tilted.mass.R_MP(i, 2));
+  for (const std::string& sentence : tilted.mended) std::printf("mended: %s\n", sentence.c_str());
 
   // A follower from free to an overlap of 10 mm: one axis at a time, so that it is not out by a
   // turn.

@@ -290,6 +290,7 @@ TEST(SeparateWithin, what_is_no_direction_is_refused_and_a_lost_pose_fails) {
   EXPECT_THROW(separate_about(pair, X, Vec3(0, nan, 0), Vec3::UnitX()), InputError);
   EXPECT_THROW(separate_about(pair, X, Vec3::Zero(), Vec3::Zero()), InputError);
   EXPECT_THROW(separate_in_plane(pair, X, {Vec3::Zero()}), InputError);
+  EXPECT_THROW(separate_in_plane(pair, X, {}, {.starts = -5}), InputError);
   EXPECT_EQ(along(pair, at({nan, 0, 0}), {Vec3::UnitX()}).status, Status::failed);
   EXPECT_THROW(
       separate_along(pair, X, std::vector<Vec3>{Vec3::UnitX()}, [](double) { return false; }),

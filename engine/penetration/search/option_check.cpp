@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/search/option_check.hpp"
+
+#include "engine/base/error.hpp"
+
+namespace sonde {
+
+void check(const StaticOptions& options) {
+  const auto need = [](bool holds, const char* reason) {
+    if (!holds) throw InputError::in("the options", reason);
+  };
+  need(is_valid(options.budget), "no limit of the budget may be negative or NaN");
+  need(options.starts >= 1, "starts must be at least 1");
+  need(options.agreement >= 1, "agreement must be at least 1");
+  need(options.sure > 0 && options.sure < 1, "sure must be above 0 and below 1");
+  need(options.share_for_bound >= 0 && options.share_for_bound <= 1,
+       "share_for_bound must be 0 to 1");
+}
+
+}  // namespace sonde
