@@ -218,8 +218,7 @@ void run(const ClashFlags& flags) {
   const std::vector<Clash> found = clashes(parts, options, progress.percent("pairs of parts"));
   progress.clear();
   std::deque<std::string> names;
-  for (const AssemblyPart& part : parts)
-    names.push_back(flags.output.json ? part.name : csv_word(part.name));
+  for (const AssemblyPart& part : parts) names.push_back(part.name);
   ResultTable table{{clash_columns}, {}};
   for (const Clash& clash : found) table.rows.push_back(row_of(clash, names));
   write_result(flags.output, flags.output.json ? to_json(table) : to_csv(table));

@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
+#include "app/mesh_options.hpp"
 #include "app/mesh_report.hpp"
 #include "app/recordings.hpp"
 #include "engine/text/printable.hpp"
@@ -16,11 +16,7 @@ namespace {
 
 struct InfoOptions {
   std::vector<std::string> meshes;
-  std::string model = "auto";
-  std::string repair = "auto";
-  std::string unit = "m";
-  double scale = 1;
-  std::optional<double> allowance, safety;  ///< m
+  MeshOptions reading;
   std::string within;  ///< the folder that a recording's paths stay in, or empty
   OutputOptions output;
 };
@@ -28,19 +24,11 @@ struct InfoOptions {
 /// All the meshes, or an InputError that gives the reason for every bad one.
 std::vector<std::shared_ptr<const Body>> load_all(const InfoOptions& options) {
   ProgressLine progress(options.output.quiet);
-  const double unit = unit_in_metres(options.unit).value();
-  const Model model = model_named(options.model).value();
   std::vector<std::shared_ptr<const Body>> bodies;
   std::string reason;  // the last; those before are told of
   for (const std::string& mesh : options.meshes) {
     try {
-      const SceneBody body{.mesh = mesh,
-                           .model = model,
-                           .repair = repair_named(options.repair).value(),
-                           .scale = options.scale,
-                           .pose = {},
-                           .offset = offset_of(options.allowance, options.safety).value_or(0)};
-      bodies.push_back(load(body, unit, progress.percent("reading " + mesh)));
+      bodies.push_back(load(mesh, options.reading, progress.percent("reading " + mesh)));
     } catch (const InputError& error) {
       progress.clear();
       if (!reason.empty()) std::cerr << "sonde: " << printable(reason) << '\n';
@@ -83,21 +71,7 @@ Command add_info_command(CLI::App& program) {
       ->add_option("MESH", options->meshes,
                    "Mesh files (OFF, OBJ, PLY, STL, GLB, glTF, 3MF, DAE), or recordings")
       ->required();
-  parser
-      ->add_option("--model", options->model,
-                   "solid (the interior counts), surface (only the triangles) or auto")
-      ->check(CLI::IsMember({"auto", "solid", "surface"}))
-      ->capture_default_str();
-  add_repair(*parser, options->repair);
-  parser->get_option("--repair")->capture_default_str();
-  parser->add_option("--unit", options->unit, "unit of the files")
-      ->check(CLI::IsMember({"m", "cm", "mm", "um", "in", "ft"}))
-      ->capture_default_str();
-  parser
-      ->add_option("--scale", options->scale, "factor for the coordinates, in addition to the unit")
-      ->check(check_positive)
-      ->capture_default_str();
-  add_offsets(*parser, "each", options->allowance, options->safety);
+  add_flags(*parser, options->reading, "each");
   add_within(*parser, options->within);
   add_flags(*parser, options->output);
   parser->get_option("--json")->description("write JSON instead of text");

@@ -21,7 +21,7 @@ std::vector<Command> declare_command_line(CLI::App& program) {
       add_trade_command(program),    add_traces_command(program),  add_tune_command(program),
       add_compare_command(program),  add_merge_command(program),   add_calibrate_command(program),
       add_identify_command(program), add_devices_command(program), add_clash_command(program),
-      add_insert_command(program)};
+      add_insert_command(program),   add_points_command(program)};
 }
 
 }  // namespace sonde::app

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <chrono>
-#include <cstdlib>
-#include <limits>
-#include <map>
+#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "app/accuracy.hpp"
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
-#include "app/part_file.hpp"
 #include "app/phases.hpp"
+#include "app/query_lines.hpp"
 #include "app/query_motions.hpp"
 #include "app/query_rows.hpp"
 #include "app/static_searches.hpp"
@@ -65,12 +64,18 @@ void check_motions(const QueryOptions& options) {
 void check(const QueryOptions& options) {
   check_motions(options);
   const bool coherent = options.solver.coherent();
-  if (options.question.touch &&
-      (coherent || options.accuracy.turned() || options.accuracy.claim || options.phases.timed() ||
-       !options.question.contacts.empty() || options.question.seeds > 1))
+  const QueryQuestion& question = options.question;
+  if (question.sweep && (question.touch || question.clearance || options.motions.any()))
     throw UsageError(
-        "--touch does no search: leave out what is for one (--mode coherent, --time, "
-        "--accuracy, --claim, --phases, --contacts, --seeds)");
+        "--sweep is a question of its own: leave out --touch, --clearance, --along, --about and "
+        "--in-plane");
+  if ((question.touch || question.sweep) &&
+      (coherent || options.accuracy.turned() || options.accuracy.claim || options.phases.timed() ||
+       !question.contacts.empty() || question.seeds > 1 || question.signed_distance))
+    throw UsageError(
+        std::string(question.sweep ? "--sweep" : "--touch") +
+        " does no search: leave out what is for one (--mode coherent, --time, --accuracy, --claim, "
+        "--phases, --contacts, --seeds, --signed-distance)");
   if (coherent && (!options.shard.empty() || options.resume || options.question.seeds > 1))
     throw UsageError(
         "--mode coherent follows the poses one after the other: leave out --shard, "
@@ -100,6 +105,7 @@ std::string run_of(const QueryOptions& options, const Scene& scene, const Pair& 
                                {"seeds", options.question.seeds},
                                {"sure", solver.sure},
                                {"contacts", !options.question.contacts.empty()},
+                               {"part_format", 2},
                                {"json", options.output.json}};
   about["bound"] = solver.bound ? (*solver.bound ? "whole" : "none") : "some";
   if (options.motions.any()) about["motions"] = options.motions.numbers();
@@ -125,26 +131,39 @@ class QueryAnswers {
     follower_->time_phases(solver.time_phases);
   }
 
-  QueryAnswer answer(const Pose& pose) {
+  /// The next pose is that to which a motion goes, where that is asked.
+  QueryAnswer answer(const Pose& pose, const Pose& next) {
     QueryAnswer out;
     Separation& found = out.separation;
     out.time_us = timed_us([&] {
+      if (question_.sweep) return swept(pose, next, out);
       found = question_.touch ? touched(pose) : follower_ ? followed(pose) : searched(pose);
-      if (question_.clearance && found.status == Status::separated && !found.clearance)
+      if ((question_.clearance || question_.signed_distance) && found.status == Status::separated &&
+          !found.clearance)
         found.clearance = distance(pair_, pose);
     });
     return out;
   }
 
  private:
+  static constexpr const char* too_far =
+      "not finite, or too far from the origin for the size of the probe";
   Separation touched(const Pose& pose) const {
     Separation out;
     try {
       out.status = touch(pair_, pose) ? Status::penetrating : Status::separated;
     } catch (const InputError&) {
-      out.reason = "not finite, or too far from the origin for the size of the probe";
+      out.reason = too_far;
     }
     return out;
+  }
+  void swept(const Pose& from, const Pose& to, QueryAnswer& out) const {
+    try {
+      out.path = sweep(pair_, from, to);
+      out.separation.status = out.path.overlapping ? Status::penetrating : Status::separated;
+    } catch (const InputError&) {
+      out.separation.reason = too_far;
+    }
   }
   Separation followed(const Pose& pose) {
     // A search that failed leaves nothing to follow: search again.
@@ -173,7 +192,8 @@ class QueryAnswers {
     Separation out = second ? b : a;
     out.iterations = a.iterations + b.iterations;
     out.limited = a.limited + b.limited;
-    if (a.lower_bound && b.lower_bound) out.lower_bound = std::max(*a.lower_bound, *b.lower_bound);
+    out.lower_bound =
+        std::max(a.lower_bound, b.lower_bound);  // the one that is there, or the larger
     return out;
   }
 
@@ -198,62 +218,13 @@ Share share_of(const std::string& shard, std::size_t poses) {
   return out;
 }
 
-/// The lines of a query's results, with the parts on the disk while it runs.
-class QueryLines {
- public:
-  QueryLines(const QueryOptions& options, const std::string& run)
-      : json_(options.output.json),
-        wants_contacts_(!options.question.contacts.empty()),
-        main_(options.solver.coherent() || !options.output.to_file() ? "" : options.output.out, run,
-              options.resume),
-        contacts_(
-            options.solver.coherent() || !options.output.to_file() ? "" : options.question.contacts,
-            run, options.resume) {
-    if (wants_contacts_ && !main_.lines().empty() && !contacts_.was_there())
-      throw InputError::in(options.question.contacts + ".part",
-                           "is missing, while the part of the result is there: remove that, or "
-                           "leave out --resume");
-  }
-
-  /// How many of the poses are answered in the parts that were there.
-  std::size_t taken_over(const Share& share) {
-    const std::size_t count = std::min(main_.lines().size(), share.indices.size());
-    main_.cut(count);
-    // A contact of a pose that is not done has been written before the pose itself.
-    const std::size_t next = count < share.indices.size() ? share.indices[count] : no_index;
-    std::size_t kept = 0;
-    while (kept < contacts_.lines().size() && index_of(contacts_.lines()[kept]) < next) ++kept;
-    contacts_.cut(kept);
-    return count;
-  }
-  void add(const std::vector<Column>& columns, const Row& row) {
-    main_.add(json_ ? json_line(columns, row) : csv_line(row));
-  }
-  void add_contacts(const std::vector<Row>& rows) {
-    if (!wants_contacts_) return;
-    for (const Row& row : rows) contacts_.add(csv_line(row));
-  }
-  /// To the disk, once a second.
-  void flush_now_and_then() {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - flushed_ < std::chrono::seconds(1)) return;
-    flushed_ = now;
-    contacts_.flush();
-    main_.flush();
-  }
-  std::span<const std::string> lines() const { return main_.lines(); }
-  std::span<const std::string> contacts() const { return contacts_.lines(); }
-  void done() { main_.done(), contacts_.done(); }
-
- private:
-  static constexpr std::size_t no_index = std::numeric_limits<std::size_t>::max();
-  static std::size_t index_of(const std::string& line) {
-    return static_cast<std::size_t>(std::strtoull(line.c_str(), nullptr, 10));
-  }
-  bool json_, wants_contacts_;
-  PartFile main_, contacts_;
-  std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
-};
+QueryFiles files_of(const QueryOptions& options) {
+  const bool parts = options.output.to_file() && !options.solver.coherent();
+  return {.result = parts ? options.output.out : "",
+          .contacts = options.question.contacts,
+          .json = options.output.json,
+          .resume = options.resume};
+}
 
 void check_files(const QueryOptions& options, const Scene& scene) {
   std::vector<std::filesystem::path> inputs = inputs_of(scene);
@@ -276,34 +247,45 @@ void run(const QueryOptions& options) {
   SolverOptions solver = accuracy.applied(options.solver, pair);
   solver.time_phases = options.phases.timed();
   const QueryRows unshared(options.question, accuracy, options.phases, nullptr);
-  // With the number of all poses: what is joined is then known to be whole.
+  // A motion goes from each pose but the last.
+  const std::size_t asked = poses.size() - std::size_t{options.question.sweep && !poses.empty()};
+  // With the number of all rows: what is joined is then known to be whole.
   const std::string shard = options.shard + "@" +
                             run_of(options, scene, pair, solver, poses, unshared.columns()) + "-" +
-                            std::to_string(poses.size());
+                            std::to_string(asked);
   const char* shown_shard = options.shard.empty() ? nullptr : shard.c_str();
   QueryRows rows(options.question, accuracy, options.phases, shown_shard);
 
-  Share share = share_of(options.shard, poses.size());
-  QueryLines lines(options, "sonde query " + shard);
-  share.done = lines.taken_over(share);
+  Share share = share_of(options.shard, asked);
+  QueryLines lines(files_of(options), "sonde query " + shard);
+  if (const std::string lost = lines.written_over(); !lost.empty() && !options.output.quiet)
+    std::cerr << "sonde: " << lost
+              << " of an interrupted run is written over: --resume would go on "
+              << "from it\n";
+  share.done = lines.taken_over(share.indices);
   const std::size_t left = share.indices.size() - share.done;
   // A search for the least of some motions is on one thread.
   const SearchThreads threads = threads_for(left, solver, !options.motions.any());
   QueryAnswers answers(pair, options, solver, threads);
   PhasePicture picture;
-  std::map<std::string, std::string, std::less<>> part_words;
+  std::set<std::string, std::less<>> names;
   const auto name_of_part = [&](const Vec3& x) {
-    const std::string name(part_at(pair.fixed(), x));
-    return part_words.try_emplace(name, csv_word(name)).first->second.c_str();
+    return names.emplace(part_at(pair.fixed(), x)).first->c_str();
   };
   run_in_order(
       left, solver.coherent() ? 1 : threads.at_once,
-      [&](std::size_t k) { return answers.answer(poses[share.indices[share.done + k]]); },
+      [&](std::size_t k) {
+        const std::size_t index = share.indices[share.done + k];
+        return answers.answer(poses[index], poses[std::min(index + 1, poses.size() - 1)]);
+      },
       [&](std::size_t k, const QueryAnswer& answer) {
         const std::size_t index = share.indices[share.done + k];
         report_failure(answer.separation, index);
-        lines.add_contacts(contact_rows(index, answer.separation, name_of_part, shown_shard));
-        lines.add(rows.columns(), rows.row(index, answer));
+        const std::vector<Row> contacts =
+            options.question.contacts.empty()
+                ? std::vector<Row>()
+                : contact_rows(index, answer.separation, name_of_part, shown_shard);
+        lines.add(rows.columns(), rows.row(index, answer), contact_columns(nullptr), contacts);
         if (options.phases.timed()) picture.add(answer.separation, answer.time_us);
         lines.flush_now_and_then();
         progress.show(solver.coherent() ? "following" : "searching", share.done + k + 1,

@@ -14,6 +14,7 @@ Command add_identify_command(CLI::App& program);
 Command add_info_command(CLI::App& program);
 Command add_insert_command(CLI::App& program);
 Command add_merge_command(CLI::App& program);
+Command add_points_command(CLI::App& program);
 Command add_query_command(CLI::App& program);
 Command add_replay_command(CLI::App& program);
 Command add_trade_command(CLI::App& program);

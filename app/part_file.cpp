@@ -4,9 +4,9 @@
 #include <limits>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "engine/base/error.hpp"
-#include "engine/platform/writable_file.hpp"
 #include "engine/text/output_file.hpp"
 #include "engine/text/text_file.hpp"
 
@@ -15,8 +15,22 @@ namespace sonde::app {
 PartFile::PartFile(const std::string& result, const std::string& run, bool resume) : run_(run) {
   if (result.empty()) return;
   file_ = result + ".part";
-  if (!resume || !std::filesystem::exists(file_)) return;
-  was_there_ = true;
+  was_there_ = std::filesystem::exists(file_) && !std::filesystem::is_empty(file_);
+  if (std::filesystem::exists(file_)) hold(WritableFile::Opening::existing);
+  if (resume && was_there_) take_over();
+}
+
+/// What was held until now is let go once the other is held.
+void PartFile::hold(WritableFile::Opening opening) {
+  WritableFile next(file_, opening);
+  if (!next.is_open() && next.error() != static_cast<int>(std::errc::file_exists))
+    fail_to_write(next.error());
+  if (!next.is_open() || !next.hold())
+    throw InputError::in(file_.string(), "another run writes it now: wait, or name another --out");
+  part_ = std::move(next);
+}
+
+void PartFile::take_over() {
   const std::string text = read_text(file_, std::numeric_limits<std::size_t>::max());
   std::string_view rest = text;
   bool first = true;
@@ -38,25 +52,30 @@ PartFile::PartFile(const std::string& result, const std::string& run, bool resum
 
 void PartFile::flush() {
   if (file_.empty() || (ours_ && flushed_ == lines_.size())) return;
+  if (!part_.is_open()) hold(WritableFile::Opening::anew);
   std::string text;
   for (std::size_t i = ours_ ? flushed_ : 0; i < lines_.size(); ++i)
     text.append(lines_[i]).append("\n");
   if (!ours_) {
     write_whole(file_, run_ + "\n" + text);
-  } else {
-    WritableFile file(file_, WritableFile::Opening::append);
-    if (!file.is_open() || !file.write(text))
-      throw InputError::in(file_.string(),
-                           "cannot be written: " + std::generic_category().message(file.error()));
+    hold(WritableFile::Opening::append);
+  } else if (!part_.write(text)) {
+    fail_to_write(part_.error());
   }
   ours_ = true;
   flushed_ = lines_.size();
+}
+
+void PartFile::fail_to_write(int error) const {
+  throw InputError::in(file_.string(),
+                       "cannot be written: " + std::generic_category().message(error));
 }
 
 void PartFile::done() {
   if (file_.empty()) return;
   std::error_code gone;  // a part that is left does no harm
   std::filesystem::remove(file_, gone);
+  part_.close();
 }
 
 }  // namespace sonde::app

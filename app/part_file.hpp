@@ -7,20 +7,24 @@
 #include <string>
 #include <vector>
 
+#include "engine/platform/writable_file.hpp"
+
 namespace sonde::app {
 
 /// The lines of a result while it is being computed, and a file beside it, RESULT.part, that holds
 /// those that are finished, so that a run that was interrupted can go on from there. Its first line
-/// says of which run it is.
+/// says of which run it is. One run at a time writes it.
 class PartFile {
  public:
   /// `result`: the file that the result will be; empty: lines are kept in memory alone. `run`: one
   /// line, the same for runs that may continue each other. `resume`: takes over the whole lines of
-  /// a part that is there. Throws InputError where that is of another run, or cannot be read.
+  /// a part that is there. Throws InputError where that is of another run, cannot be read, or
+  /// another run writes it now.
   PartFile(const std::string& result, const std::string& run, bool resume);
 
-  /// Whether there was a part to take over.
+  /// Whether a part was there: taken over by a run that resumes, otherwise to be written over.
   bool was_there() const { return was_there_; }
+  const std::filesystem::path& file() const { return file_; }
   std::span<const std::string> lines() const { return lines_; }
   void add(std::string line) { lines_.push_back(std::move(line)); }
   /// Forgets the lines from this one on.
@@ -31,9 +35,14 @@ class PartFile {
   void done();
 
  private:
-  std::filesystem::path file_;  // empty: none
+  void hold(WritableFile::Opening opening);
+  void take_over();
+  [[noreturn]] void fail_to_write(int error) const;
+
+  std::filesystem::path file_;  // empty: there is none
   std::string run_;
   std::vector<std::string> lines_;
+  WritableFile part_;  // open while this run holds it
   std::size_t flushed_ = 0;
   bool was_there_ = false;
   bool ours_ = false;  // the part on the disk holds the first `flushed_` lines

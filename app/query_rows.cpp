@@ -34,6 +34,23 @@ constexpr std::array<Column, 7> clearance_columns{{{"clearance", "m"},
                                                    {"by", "m"},
                                                    {"bz", "m"}}};
 
+constexpr std::array<Column, 16> sweep_columns{{{"index", ""},
+                                                {"status", ""},
+                                                {"free", ""},
+                                                {"px", "m"},
+                                                {"py", "m"},
+                                                {"pz", "m"},
+                                                {"qw", ""},
+                                                {"qx", ""},
+                                                {"qy", ""},
+                                                {"qz", ""},
+                                                {"x", "m"},
+                                                {"y", "m"},
+                                                {"z", "m"},
+                                                {"nx", ""},
+                                                {"ny", ""},
+                                                {"nz", ""}}};
+
 void add(std::vector<Column>& columns, std::span<const Column> more) {
   columns.insert(columns.end(), more.begin(), more.end());
 }
@@ -56,6 +73,35 @@ Row search_row(std::size_t index, const QueryAnswer& answer) {
   return row;
 }
 
+Row sweep_row(std::size_t index, const QueryAnswer& answer) {
+  const SweptPath& path = answer.path;
+  const bool failed = answer.separation.status == Status::failed;
+  const char* status = failed             ? name_of(Status::failed)
+                       : path.overlapping ? "overlapping"
+                       : path.hit         ? "hit"
+                                          : "free";
+  Row row{static_cast<std::int64_t>(index), status};
+  if (failed) {
+    append_nothing(row, 14);
+    return row;
+  }
+  row.push_back(path.free);
+  append(row, path.X_FM);
+  if (path.hit && !path.overlapping) {
+    append(row, path.contact.on_fixed);
+    append(row, path.contact.normal);
+  } else {
+    append_nothing(row, 6);
+  }
+  return row;
+}
+
+/// Nothing where the search failed.
+Cell signed_distance_of(const Separation& s) {
+  if (s.status == Status::penetrating) return -s.depth;
+  return s.clearance ? Cell(s.clearance->distance) : Cell();
+}
+
 void append_clearance(Row& row, const std::optional<Clearance>& clearance) {
   if (!clearance) return append_nothing(row, clearance_columns.size());
   row.push_back(clearance->distance);
@@ -70,6 +116,16 @@ void add_flags(CLI::App& parser, QueryQuestion& question) {
   parser
       .add_flag("--touch", question.touch,
                 "only whether the bodies touch or overlap: index,status, and no search")
+      ->group(group);
+  parser
+      .add_flag("--sweep", question.sweep,
+                "how far the motion from each pose to the next is free, the pose there and the "
+                "contact: index,status,free, px to qz, x,y,z, nx,ny,nz, and no search")
+      ->group(group);
+  parser
+      .add_flag("--signed-distance", question.signed_distance,
+                "one number as a last column: the least distance where the bodies are apart, less "
+                "than 0, by the depth, where they are not")
       ->group(group);
   parser
       .add_flag(
@@ -98,7 +154,9 @@ QueryRows::QueryRows(const QueryQuestion& question, const Accuracy& accuracy,
       phases_(phases),
       shard_(shard),
       limit_us_(accuracy.time_us()) {
-  if (question.touch) {
+  if (question.sweep) {
+    columns_.assign(sweep_columns.begin(), sweep_columns.end());
+  } else if (question.touch) {
     columns_.assign(query_columns.begin(), query_columns.begin() + 2);
     if (question.clearance) add(columns_, clearance_columns);
   } else {
@@ -107,6 +165,7 @@ QueryRows::QueryRows(const QueryQuestion& question, const Accuracy& accuracy,
     columns_ = accuracy.with_claims(columns_);
     if (limit_us_ > 0) columns_.push_back({"late", ""});
     columns_ = with_phases(phases, columns_);
+    if (question.signed_distance) columns_.push_back({"signed_distance", "m"});
   }
   if (shard) columns_.push_back({"shard", ""});
 }
@@ -115,7 +174,9 @@ Row QueryRows::row(std::size_t index, const QueryAnswer& answer) {
   const Separation& s = answer.separation;
   ++all_;
   Row row;
-  if (question_.touch) {
+  if (question_.sweep) {
+    row = sweep_row(index, answer);
+  } else if (question_.touch) {
     row = {static_cast<std::int64_t>(index), name_of(s.status)};
     if (question_.clearance) append_clearance(row, s.clearance);
   } else {
@@ -128,6 +189,7 @@ Row QueryRows::row(std::size_t index, const QueryAnswer& answer) {
       late_ += late;
     }
     append_phases(phases_, row, s);
+    if (question_.signed_distance) row.push_back(signed_distance_of(s));
     unfinished_ += s.status == Status::penetrating && !s.converged;
   }
   if (shard_) row.push_back(shard_);

@@ -16,16 +16,19 @@ namespace sonde::app {
 
 /// What is asked about each pose of a query.
 struct QueryQuestion {
-  bool touch = false;         ///< whether the bodies touch, and no more: no search
-  bool clearance = false;     ///< how far apart they are where they are
-  std::string contacts = {};  ///< a file for the contacts; empty: none
-  std::size_t seeds = 1;      ///< searches of a pose, of which the nearest way out counts
+  bool touch = false;      ///< whether the bodies touch, and no more: no search
+  bool sweep = false;      ///< how far the motion from each pose to the next is free: no search
+  bool clearance = false;  ///< how far apart they are where they are
+  bool signed_distance = false;  ///< that, and less than 0, by the depth, where they are not
+  std::string contacts = {};     ///< a file for the contacts; empty: none
+  std::size_t seeds = 1;         ///< searches of a pose, of which the nearest way out counts
 };
 void add_flags(CLI::App& parser, QueryQuestion& question);
 
 /// The answer to one pose.
 struct QueryAnswer {
   Separation separation;
+  SweptPath path;  ///< where a motion was asked about; failed where the separation has
   double time_us = 0;
 };
 
@@ -52,7 +55,7 @@ class QueryRows {
 };
 
 /// The columns of contacts, and the rows of those that hold one separated pose. `name_of_part`: a
-/// word of CSV for a point of the fixed body, that outlives the rows. `shard`: in a column of its
+/// name for a point of the fixed body, that outlives the rows. `shard`: in a column of its
 /// own; null: none.
 std::span<const Column> contact_columns(const char* shard);
 std::vector<Row> contact_rows(std::size_t index, const Separation& answer,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/result_table.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "engine/text/number_text.hpp"
@@ -15,13 +16,20 @@ struct ToText {
   std::string operator()(double value) const { return number_text(value, digits); }
   std::string operator()(std::int64_t value) const { return std::to_string(value); }
   std::string operator()(bool value) const { return value ? "1" : "0"; }
-  std::string operator()(const char* value) const { return value; }
+  std::string operator()(const char* value) const { return csv_word(value); }
 };
 
 struct ToJson {
   nlohmann::ordered_json operator()(std::monostate) const { return nullptr; }
   nlohmann::ordered_json operator()(auto value) const { return value; }
 };
+
+nlohmann::ordered_json object_of(std::span<const Column> columns, std::span<const Cell> cells) {
+  nlohmann::ordered_json object = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; i < std::min(columns.size(), cells.size()); ++i)
+    object[columns[i].name] = std::visit(ToJson{}, cells[i]);
+  return object;
+}
 
 }  // namespace
 
@@ -54,10 +62,15 @@ std::string csv_line(const Row& row) {
 }
 
 std::string json_line(std::span<const Column> columns, const Row& row) {
-  nlohmann::ordered_json object = nlohmann::ordered_json::object();
-  for (std::size_t i = 0; i < row.size(); ++i)
-    object[columns[i].name] = std::visit(ToJson{}, row[i]);
-  return object.dump();
+  return object_of(columns, row).dump();
+}
+
+std::string json_line(std::span<const Column> columns, const Row& row, const InnerRows& inner) {
+  nlohmann::ordered_json object = object_of(columns, row), rows = nlohmann::ordered_json::array();
+  for (const Row& each : inner.rows)
+    rows.push_back(object_of(inner.columns, std::span(each).subspan(inner.skipped)));
+  object[inner.name] = std::move(rows);
+  return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 std::string csv_of(const ResultHead& head, std::span<const std::string> lines) {

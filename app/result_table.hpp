@@ -42,6 +42,14 @@ std::string csv_word(const std::string& word);
 /// One row as a line of its own, without its end; numbers with 17 significant digits.
 std::string csv_line(const Row& row);
 std::string json_line(std::span<const Column> columns, const Row& row);
+/// Rows within a row: in JSON alone.
+struct InnerRows {
+  const char* name;
+  std::span<const Column> columns;
+  std::span<const Row> rows;
+  std::size_t skipped = 0;  ///< cells at the beginning of each row that are left out
+};
+std::string json_line(std::span<const Column> columns, const Row& row, const InnerRows& inner);
 /// The result of such lines. CSV: a header and the lines. JSON: {"format": 1, "units": {column:
 /// unit, ...}, "results": [{column: value, ...}, ...]}; nothing becomes null. An offset of the
 /// probe stands before the results, "probe_offset", in m, and "remarks" on the bodies.

@@ -30,6 +30,9 @@ class WritableFile {
   /// Returns once the disk has what was written. Without that a crash of the machine could leave a
   /// new name on an empty file.
   bool sync();
+  /// True if no other process holds the file; from then on this one does, until it is closed. The
+  /// portable source cannot tell, and says true.
+  bool hold();
   /// Takes away what lies beyond that size, bytes; the next write goes there.
   bool cut(std::uint64_t size);
   bool close();

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "engine/platform/writable_file.hpp"
 #include "tests/app/app_test.hpp"
 
 namespace sonde::test {
@@ -189,6 +190,76 @@ TEST_F(QueryScale, more_seeds_never_lead_further) {
   }
 }
 
+// Reference: the file of contacts.
+TEST_F(QueryScale, json_holds_the_contacts_that_were_asked_for) {
+  folder.write("parts.sonde.json", R"({"probe": {"mesh": "small.off"}, "fixed": [
+    {"name": "floor, old \"2\"", "mesh": "large.off"},
+    {"name": "wall", "mesh": "large.off", "pose": [1, 0, 0, 1, 0, 0, 0]}]})");
+  const std::string rest = " --poses poses.csv --contacts ";
+  const json whole = json::parse(expect_done("query parts.sonde.json --json" + rest + "c.csv").out);
+  const Csv contacts(text_of(folder / "c.csv"));
+  std::size_t next = 0;
+  for (const json& row : whole.at("results"))
+    for (const json& contact : row.at("contact_rows")) {
+      EXPECT_EQ(contact.size(), 8u);
+      ASSERT_LT(next, contacts.rows.size());
+      EXPECT_EQ(row.at("index").get<double>(), contacts.number(next, "index"));
+      for (const std::string key : {"x", "y", "z", "nx", "ny", "nz", "multiplier"})
+        EXPECT_EQ(contact.at(key).get<double>(), contacts.number(next, key)) << key;
+      EXPECT_EQ(contact.at("part"), "floor, old \"2\"");
+      ++next;
+    }
+  EXPECT_GT(next, 2u);
+  EXPECT_EQ(next, contacts.rows.size());
+  // Shares are joined to the same.
+  for (const std::string i : {"1", "2"})
+    expect_done("query parts.sonde.json --json --shard " + i + "/2 --out s" + i + rest + "c" + i);
+  expect_done("merge s1 s2 --out joined");
+  const json joined = json::parse(text_of(folder / "joined"));
+  for (std::size_t i = 0; i < whole.at("results").size(); ++i)
+    EXPECT_EQ(joined.at("results")[i].at("contact_rows").size(),
+              whole.at("results")[i].at("contact_rows").size());
+}
+
+// Reference: boxes that face each other along x, their halves 0.05 and 0.1.
+TEST_F(QueryScale, a_sweep_says_how_far_each_motion_is_free) {
+  folder.write("way.csv",
+               "px,py,pz,qw,qx,qy,qz\n0.35,0,0,1,0,0,0\n0.1,0,0,1,0,0,0\n"
+               "0,0.4,0,1,0,0,0\n0,0.3,0,1,0,0,0\n");
+  const Csv csv = query("--poses way.csv --sweep");
+  EXPECT_EQ(csv.header, "index,status,free,px,py,pz,qw,qx,qy,qz,x,y,z,nx,ny,nz");
+  ASSERT_EQ(csv.rows.size(), 3u);
+  EXPECT_EQ(csv.text(0, "status"), "hit");
+  EXPECT_NEAR(csv.number(0, "free"), 0.8, 1e-6);
+  EXPECT_NEAR(csv.number(0, "px"), 0.15, 1e-6);
+  EXPECT_NEAR(csv.number(0, "x"), 0.1, 1e-9);
+  EXPECT_NEAR(csv.number(0, "nx"), 1, 1e-9);
+  EXPECT_EQ(csv.text(1, "status"), "overlapping");
+  EXPECT_EQ(csv.text(1, "free"), "0");
+  EXPECT_EQ(csv.text(1, "x"), "");
+  EXPECT_EQ(csv.text(2, "status"), "free");
+  EXPECT_EQ(csv.text(2, "free"), "1");
+  EXPECT_NEAR(csv.number(2, "py"), 0.3, 1e-15);
+  for (const std::string i : {"1", "2"})
+    expect_done("query boxes.sonde.json --poses way.csv --sweep --shard " + i + "/2 --out s" + i);
+  expect_done("merge s1 s2 --out joined");
+  EXPECT_EQ(Csv(text_of(folder / "joined")).rows, csv.rows);
+}
+
+// Reference: the columns that depth and clearance have of their own.
+TEST_F(QueryScale, signed_distance_is_one_number_on_both_sides) {
+  const Csv csv = query("--poses many.csv --signed-distance --clearance");
+  int apart = 0;
+  for (std::size_t i = 0; i < csv.rows.size(); ++i) {
+    const bool free = csv.text(i, "status") == "separated";
+    apart += free;
+    EXPECT_EQ(csv.number(i, "signed_distance"),
+              free ? csv.number(i, "clearance") : -csv.number(i, "depth"));
+  }
+  EXPECT_GT(apart, 5);
+  EXPECT_LT(apart, 36);
+}
+
 TEST_F(QueryScale, json_states_its_format_and_says_yes_and_no) {
   const json result =
       json::parse(expect_done("query boxes.sonde.json --poses many.csv --time 2ms --json").out);
@@ -203,7 +274,10 @@ TEST_F(QueryScale, flags_that_contradict_each_other_are_refused) {
   const std::string query = "query boxes.sonde.json --poses many.csv ";
   for (const std::string flag :
        {"--mode coherent", "--time 1ms", "--claim", "--contacts c.csv", "--seeds 2", "--phases"})
-    expect_refused(query + "--touch " + flag, 2, "--touch does no search");
+    for (const std::string question : {"--touch", "--sweep"})
+      expect_refused(query + question + " " + flag, 2, question + " does no search");
+  for (const std::string flag : {"--touch", "--clearance", "--along 1,0,0"})
+    expect_refused(query + "--sweep " + flag, 2, "--sweep is a question of its own");
   for (const std::string flag : {"--shard 1/2", "--resume --out r", "--seeds 2"})
     expect_refused(query + "--mode coherent " + flag, 2, "--mode coherent follows");
   expect_refused(query + "--resume", 2, "it needs --out");
@@ -240,6 +314,7 @@ class Resumed : public QueryScale {
   const std::string run =
       "query boxes.sonde.json --poses long.csv --bound --seeds 20 "
       "--budget-steps 60 --contacts c --out r ";
+  std::string whole_, whole_contacts_;
 };
 
 // Reference: a run that is not interrupted.
@@ -264,6 +339,56 @@ TEST_F(Resumed, a_part_is_kept_and_the_run_goes_on_from_it_to_the_same_bytes) {
   const std::vector<std::string> lines = split(part, '\n');
   for (std::size_t i = 0; i + 1 < rows; ++i)
     EXPECT_EQ(there.text(i, "time_us"), split(lines[i + 1], ',').at(15));
+}
+
+// Reference: a run that is not interrupted.
+TEST_F(Resumed, a_part_whose_contacts_were_cut_short_goes_on_from_what_is_whole) {
+  ASSERT_EQ(interrupted(run), 130);
+  const std::string rows = text_of(folder / "r.part"), contacts = text_of(folder / "c.part");
+  ASSERT_GT(split(contacts, '\n').size(), 6u);
+  // Without the end, and without a line within: both name the poses that are whole.
+  const std::size_t second = contacts.find('\n', contacts.find("\n#0,") + 1) + 1;
+  const std::size_t third = contacts.find('\n', second) + 1;
+  for (const std::string& cut : {contacts.substr(0, contacts.size() / 2), contacts.substr(0, 60),
+                                 contacts.substr(0, second) + contacts.substr(third)}) {
+    folder.write("r.part", rows);
+    folder.write("c.part", cut);
+    expect_done(run + "--resume");
+    const std::string resumed = text_of(folder / "r"), its_contacts = text_of(folder / "c");
+    if (whole_.empty()) {
+      expect_done(run);
+      whole_ = text_of(folder / "r"), whole_contacts_ = text_of(folder / "c");
+    }
+    EXPECT_EQ(untimed(resumed), untimed(whole_));
+    EXPECT_EQ(its_contacts, whole_contacts_);
+  }
+}
+
+TEST_F(Resumed, a_part_with_other_rows_is_refused_by_its_line) {
+  ASSERT_EQ(interrupted(run), 130);
+  const std::string rows = text_of(folder / "r.part");
+  const std::size_t second = rows.find("\n1,") + 1, third = rows.find('\n', second) + 1;
+  ASSERT_GT(second, 1u);
+  folder.write("r.part", rows.substr(0, second) + rows.substr(third) + "7,separated\n");
+  expect_refused(run + "--resume", 3, "r.part:3: is not the row of pose 1");
+}
+
+TEST_F(Resumed, a_run_that_begins_anew_says_what_it_writes_over) {
+  const std::string brief = "query boxes.sonde.json --poses poses.csv --out r";
+  folder.write("r.part", "");
+  EXPECT_EQ(expect_done(brief + " --resume").err, "") << "an empty part is none";
+  folder.write("r.part", "rows of an hour\n");
+  EXPECT_THAT(expect_done(brief).err, HasSubstr("r.part of an interrupted run is written over"));
+  EXPECT_EQ(expect_done(brief).err, "");
+}
+
+TEST_F(Resumed, two_runs_do_not_write_one_part) {
+  folder.write("r.part", "of another\n");
+  WritableFile other(folder / "r.part", WritableFile::Opening::existing);
+  ASSERT_TRUE(other.is_open() && other.hold());
+  expect_refused(run, 3, "r.part: another run writes it now");
+  expect_refused(run + "--resume", 3, "r.part: another run writes it now");
+  EXPECT_EQ(text_of(folder / "r.part"), "of another\n");
 }
 
 TEST_F(Resumed, a_part_of_another_run_is_refused_and_stays) {

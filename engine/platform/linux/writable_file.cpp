@@ -2,6 +2,7 @@
 #include "engine/platform/writable_file.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -48,6 +49,11 @@ bool WritableFile::write(std::string_view bytes) {
 }
 
 bool WritableFile::sync() { return noted(::fsync(static_cast<int>(handle_)) == 0); }
+
+bool WritableFile::hold() {
+  // Where a file system has no locks, nobody else holds one.
+  return ::flock(static_cast<int>(handle_), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+}
 
 bool WritableFile::cut(std::uint64_t size) {
   const int descriptor = static_cast<int>(handle_);

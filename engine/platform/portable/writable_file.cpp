@@ -45,6 +45,8 @@ bool WritableFile::write(std::string_view bytes) {
 
 bool WritableFile::sync() { return noted(std::fflush(stream(handle_)) == 0); }
 
+bool WritableFile::hold() { return true; }
+
 // The standard library cuts files that are closed alone: what is too much stays. Readers of a
 // recording stop at its last whole block.
 bool WritableFile::cut(std::uint64_t) { return false; }
