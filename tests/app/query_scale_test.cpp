@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a query answers beside depths, and how it is split, interrupted, continued and joined.
-#include <signal.h>
-#include <sys/wait.h>
-
-#include <chrono>
+// What a query answers beside depths, and how it is split and joined.
 #include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <thread>
 
-#include "engine/platform/writable_file.hpp"
 #include "tests/app/app_test.hpp"
 
 namespace sonde::test {
@@ -283,132 +277,6 @@ TEST_F(QueryScale, flags_that_contradict_each_other_are_refused) {
   expect_refused(query + "--resume", 2, "it needs --out");
   expect_refused(query + "--contacts many.csv", 2, "one of the inputs");
   expect_refused(query + "--contacts r --out r", 2, "name the same file");
-}
-
-/// A run that is told to end, once some rows are in its part.
-class Resumed : public QueryScale {
- protected:
-  Resumed() {
-    std::string poses = "px,py,pz,qw,qx,qy,qz\n";
-    for (int i = 0; i < 30; ++i)
-      poses += std::to_string(0.02 + 1e-4 * i) + ",0.01,0.02,0.8,0.36,0.48,0\n";
-    folder.write("long.csv", poses);
-  }
-  /// The exit code of a run that is interrupted once a part is there.
-  int interrupted(const std::string& arguments) const {
-    const pid_t child = ::fork();
-    if (child == 0) {
-      ::setpgid(0, 0);
-      const std::string line = "cd '" + folder.path().string() + "' && exec '" SONDE_PROGRAM "' " +
-                               arguments + " 2>/dev/null";
-      ::execl("/bin/sh", "sh", "-c", line.c_str(), static_cast<char*>(nullptr));
-      ::_exit(99);
-    }
-    for (int i = 0; i < 600 && !std::filesystem::exists(folder / "r.part"); ++i)
-      std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    ::kill(child, SIGTERM);
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-  const std::string run =
-      "query boxes.sonde.json --poses long.csv --bound --seeds 20 "
-      "--budget-steps 60 --contacts c --out r ";
-  std::string whole_, whole_contacts_;
-};
-
-// Reference: a run that is not interrupted.
-TEST_F(Resumed, a_part_is_kept_and_the_run_goes_on_from_it_to_the_same_bytes) {
-  ASSERT_EQ(interrupted(run), 130);
-  EXPECT_FALSE(std::filesystem::exists(folder / "r"));
-  ASSERT_TRUE(std::filesystem::exists(folder / "r.part")) << "30 poses took less than a second";
-  const std::string part = text_of(folder / "r.part");
-  const std::size_t rows = split(part, '\n').size() - 2;
-  ASSERT_GT(rows, 0u);
-  // A line that was cut off does not count, nor do contacts of poses that are not done.
-  folder.write("r.part", part.substr(0, part.size() - 20));
-  expect_done(run + "--resume");
-  EXPECT_FALSE(std::filesystem::exists(folder / "r.part"));
-  EXPECT_FALSE(std::filesystem::exists(folder / "c.part"));
-  const std::string resumed = text_of(folder / "r"), contacts = text_of(folder / "c");
-  expect_done(run);
-  EXPECT_EQ(untimed(resumed), untimed(text_of(folder / "r")));
-  EXPECT_EQ(contacts, text_of(folder / "c"));
-  // The rows that were there were not computed again: their times are the same.
-  const Csv there(resumed);
-  const std::vector<std::string> lines = split(part, '\n');
-  for (std::size_t i = 0; i + 1 < rows; ++i)
-    EXPECT_EQ(there.text(i, "time_us"), split(lines[i + 1], ',').at(15));
-}
-
-// Reference: a run that is not interrupted.
-TEST_F(Resumed, a_part_whose_contacts_were_cut_short_goes_on_from_what_is_whole) {
-  ASSERT_EQ(interrupted(run), 130);
-  const std::string rows = text_of(folder / "r.part"), contacts = text_of(folder / "c.part");
-  ASSERT_GT(split(contacts, '\n').size(), 6u);
-  // Without the end, and without a line within: both name the poses that are whole.
-  const std::size_t second = contacts.find('\n', contacts.find("\n#0,") + 1) + 1;
-  const std::size_t third = contacts.find('\n', second) + 1;
-  for (const std::string& cut : {contacts.substr(0, contacts.size() / 2), contacts.substr(0, 60),
-                                 contacts.substr(0, second) + contacts.substr(third)}) {
-    folder.write("r.part", rows);
-    folder.write("c.part", cut);
-    expect_done(run + "--resume");
-    const std::string resumed = text_of(folder / "r"), its_contacts = text_of(folder / "c");
-    if (whole_.empty()) {
-      expect_done(run);
-      whole_ = text_of(folder / "r"), whole_contacts_ = text_of(folder / "c");
-    }
-    EXPECT_EQ(untimed(resumed), untimed(whole_));
-    EXPECT_EQ(its_contacts, whole_contacts_);
-  }
-}
-
-TEST_F(Resumed, a_part_with_other_rows_is_refused_by_its_line) {
-  ASSERT_EQ(interrupted(run), 130);
-  const std::string rows = text_of(folder / "r.part");
-  const std::size_t second = rows.find("\n1,") + 1, third = rows.find('\n', second) + 1;
-  ASSERT_GT(second, 1u);
-  folder.write("r.part", rows.substr(0, second) + rows.substr(third) + "7,separated\n");
-  expect_refused(run + "--resume", 3, "r.part:3: is not the row of pose 1");
-}
-
-TEST_F(Resumed, a_run_that_begins_anew_says_what_it_writes_over) {
-  const std::string brief = "query boxes.sonde.json --poses poses.csv --out r";
-  folder.write("r.part", "");
-  EXPECT_EQ(expect_done(brief + " --resume").err, "") << "an empty part is none";
-  folder.write("r.part", "rows of an hour\n");
-  EXPECT_THAT(expect_done(brief).err, HasSubstr("r.part of an interrupted run is written over"));
-  EXPECT_EQ(expect_done(brief).err, "");
-}
-
-TEST_F(Resumed, two_runs_do_not_write_one_part) {
-  folder.write("r.part", "of another\n");
-  WritableFile other(folder / "r.part", WritableFile::Opening::existing);
-  ASSERT_TRUE(other.is_open() && other.hold());
-  expect_refused(run, 3, "r.part: another run writes it now");
-  expect_refused(run + "--resume", 3, "r.part: another run writes it now");
-  EXPECT_EQ(text_of(folder / "r.part"), "of another\n");
-}
-
-TEST_F(Resumed, a_part_of_another_run_is_refused_and_stays) {
-  folder.write("r.part", "sonde query @0123456789abcdef\n0,separated\n");
-  expect_refused(run + "--resume", 3, "r.part: is of another run");
-  folder.write("r.part", "nothing");
-  expect_refused(run + "--resume", 3, "r.part: is no part of a result");
-  EXPECT_EQ(text_of(folder / "r.part"), "nothing");
-}
-
-TEST_F(Resumed, contacts_of_what_is_done_must_be_there) {
-  const std::string without =
-      "query boxes.sonde.json --poses long.csv --bound --seeds 20 "
-      "--budget-steps 60 --out r ";
-  ASSERT_EQ(interrupted(without), 130);
-  expect_refused(run + "--resume", 3, "r.part: is of another run");  // that one had none
-  std::filesystem::remove(folder / "r.part");
-  ASSERT_EQ(interrupted(run), 130);
-  std::filesystem::remove(folder / "c.part");
-  expect_refused(run + "--resume", 3, "c.part: is missing");
 }
 
 }  // namespace

@@ -32,8 +32,6 @@ Eigen::AlignedBox3d bounds(const Body& body) {
 }
 double volume(const Body& body) { return mass_by_volume(body.soup).measure; }
 
-double area(const Body& body) { return mass_by_area(body.soup).measure; }
-
 std::string refusal(const Body& body, double by) {
   try {
     offset_faces(body, by);
@@ -43,22 +41,8 @@ std::string refusal(const Body& body, double by) {
   return "accepted";
 }
 
-/// The pegs of the tests of fit, each exactly as large as its hole.
-const std::vector<Outline>& pegs() {
-  static const std::vector<Outline> all{test::rectangle(20 * mm, 20 * mm),
-                                        test::rectangle(7 * mm, 31 * mm),
-                                        test::regular(6, 10 * mm),
-                                        test::regular(3, 25 * mm),
-                                        test::regular(64, 10 * mm),
-                                        test::regular(200, 4 * mm),
-                                        test::dovetail(20 * mm, 10 * mm, 1.0472),
-                                        test::dovetail(12 * mm, 5 * mm, 0.785),
-                                        test::dovetail(8 * mm, 6 * mm, 1.2)};
-  return all;
-}
-
 TEST(OffsetFaces, a_peg_as_large_as_its_hole_fits_with_the_allowance_as_clearance) {
-  for (const Outline& outline : pegs())
+  for (const Outline& outline : test::pegs())
     for (const double allowance : {10 * um, 1 * um, 120 * um}) {
       const auto block = test::body(test::block_with_hole(outline, 20 * mm));
       const auto nominal = test::body(test::prism(outline, 30 * mm));
@@ -76,7 +60,7 @@ TEST(OffsetFaces, a_peg_as_large_as_its_hole_fits_with_the_allowance_as_clearanc
 }
 
 TEST(OffsetFaces, a_gap_shrinks_by_the_safety) {
-  for (const Outline& outline : pegs())
+  for (const Outline& outline : test::pegs())
     for (const double gap : {100 * um, 35 * um}) {
       const auto block = test::body(test::block_with_hole(outline, 20 * mm));
       const auto nominal = test::body(test::prism(test::moved(outline, -gap), 30 * mm));
@@ -354,49 +338,6 @@ TEST(OffsetFaces, zero_is_the_body_itself) {
   const auto nominal = test::body(test::box({1, 1, 1})), same = offset_faces(*nominal, 0);
   EXPECT_EQ(same->soup.vertices, nominal->soup.vertices);
   EXPECT_EQ(offset_words(same->offset), "");
-}
-
-/// Cracks as of a float STL, and edges cut on one side alone, off the edge: no piece moves by
-/// itself. The references are the sound peg, its hole and its clearance.
-TEST(OffsetFaces, a_cracked_peg_is_taken_smaller_as_the_sound_one) {
-  std::uint64_t seed = 1;
-  for (const Outline& outline : pegs())
-    for (const double crack : {1e-10, 3e-9}) {
-      const PolygonSoup sound = test::prism(outline, 30 * mm);
-      const PolygonSoup cut = test::cut_beyond(sound, Vec3(0, 0.3, 1), 15 * mm, crack);
-      const auto block = test::body(test::block_with_hole(outline, 20 * mm));
-      const auto shrunk = offset_faces(*test::body(sound), -10 * um);
-      for (const PolygonSoup& mesh : {test::cracked(sound, crack, seed++), cut}) {
-        const auto nominal = test::body(mesh);
-        ASSERT_TRUE(nominal->solid && nominal->cracked);
-        const auto peg = offset_faces(*nominal, -10 * um);
-        EXPECT_FALSE(peg->cracked);
-        EXPECT_TRUE(analyse_topology(peg->soup).closed);
-        EXPECT_NEAR(volume(*peg), volume(*shrunk), 100 * crack * area(*nominal));
-        const Distance gap = distance(*peg, *block, Transform());
-        EXPECT_FALSE(gap.overlapping);
-        EXPECT_NEAR(gap.distance, 10 * um, 4 * crack);
-        EXPECT_EQ(separate_static({peg, block}, {}).status, Status::separated);
-      }
-    }
-}
-
-/// What closes an opening goes inwards with the rest, and is still told apart.
-TEST(OffsetFaces, caps_move_and_stay_caps) {
-  const PolygonSoup ball = test::icosphere(1, 4);
-  for (const std::size_t missing : {std::size_t{0}, std::size_t{333}}) {
-    PolygonSoup open = ball;
-    open.polygons.erase(open.polygons.begin() + static_cast<std::ptrdiff_t>(missing));
-    const auto nominal = test::body(open);
-    ASSERT_TRUE(nominal->solid && !nominal->caps.triangles.empty());
-    const auto body = offset_faces(*nominal, -0.01);
-    EXPECT_EQ(body->caps.triangles.size(), nominal->caps.triangles.size());
-    Vec3 middle = Vec3::Zero(), before = Vec3::Zero();
-    for (const Vec3& x : body->caps.vertices) middle += x / double(body->caps.vertices.size());
-    for (const Vec3& x : nominal->caps.vertices)
-      before += x / double(nominal->caps.vertices.size());
-    EXPECT_NEAR((before - middle).norm(), 0.01, 1e-4);
-  }
 }
 
 TEST(OffsetFaces, surfaces_and_lengths_without_sense_are_refused) {

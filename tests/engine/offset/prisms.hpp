@@ -111,6 +111,21 @@ inline PolygonSoup block_with_hole(const Outline& hole, double height) {
   return out;
 }
 
+/// Outlines of pegs, each exactly as large as its hole.
+inline const std::vector<Outline>& pegs() {
+  constexpr double mm = 1e-3;
+  static const std::vector<Outline> all{rectangle(20 * mm, 20 * mm),
+                                        rectangle(7 * mm, 31 * mm),
+                                        regular(6, 10 * mm),
+                                        regular(3, 25 * mm),
+                                        regular(64, 10 * mm),
+                                        regular(200, 4 * mm),
+                                        dovetail(20 * mm, 10 * mm, 1.0472),
+                                        dovetail(12 * mm, 5 * mm, 0.785),
+                                        dovetail(8 * mm, 6 * mm, 1.2)};
+  return all;
+}
+
 /// Another soup put beside one.
 inline PolygonSoup together(PolygonSoup a, const PolygonSoup& b, const Vec3& by = Vec3::Zero()) {
   const std::size_t first = a.points.size();
