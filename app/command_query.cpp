@@ -65,10 +65,13 @@ void check(const QueryOptions& options) {
   check_motions(options);
   const bool coherent = options.solver.coherent();
   const QueryQuestion& question = options.question;
-  if (question.sweep && (question.touch || question.clearance || options.motions.any()))
+  const SolverOptions& solver = options.solver;
+  if (question.sweep && (question.touch || question.clearance || options.motions.any() ||
+                         solver.bound || solver.budget.steps > 0 ||
+                         solver.budget.microseconds > 0 || solver.chosen_method() == Method::pdt))
     throw UsageError(
-        "--sweep is a question of its own: leave out --touch, --clearance, --along, --about and "
-        "--in-plane");
+        "--sweep is a question of its own: leave out --touch, --clearance, --along, --about, "
+        "--in-plane, --method, --bound, --no-bound, --budget-us and --budget-steps");
   if ((question.touch || question.sweep) &&
       (coherent || options.accuracy.turned() || options.accuracy.claim || options.phases.timed() ||
        !question.contacts.empty() || question.seeds > 1 || question.signed_distance))
@@ -105,7 +108,7 @@ std::string run_of(const QueryOptions& options, const Scene& scene, const Pair& 
                                {"seeds", options.question.seeds},
                                {"sure", solver.sure},
                                {"contacts", !options.question.contacts.empty()},
-                               {"part_format", 2},
+                               {"part_format", 3},
                                {"json", options.output.json}};
   about["bound"] = solver.bound ? (*solver.bound ? "whole" : "none") : "some";
   if (options.motions.any()) about["motions"] = options.motions.numbers();

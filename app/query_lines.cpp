@@ -12,9 +12,7 @@ namespace {
 constexpr char end_mark = '#';
 
 /// The line after the contacts of a pose.
-std::string end_of(std::size_t index, std::size_t contacts) {
-  return end_mark + std::to_string(index) + "," + std::to_string(contacts);
-}
+std::string end_of(std::size_t index) { return end_mark + std::to_string(index); }
 
 }  // namespace
 
@@ -26,8 +24,8 @@ QueryLines::QueryLines(const QueryFiles& files, const std::string& run)
       contacts_(files.result.empty() ? "" : files.contacts, run, files.resume) {
   if (resume_ && wants_contacts_ && !main_.lines().empty() && !contacts_.was_there())
     throw InputError::in(contacts_.file().string(),
-                         "is missing, while the part of the result is there: remove that, or "
-                         "leave out --resume");
+                         "is missing or empty, while the part of the result is there: remove that, "
+                         "or leave out --resume");
 }
 
 std::string QueryLines::written_over() const {
@@ -36,13 +34,6 @@ std::string QueryLines::written_over() const {
 
 std::size_t QueryLines::taken_over(std::span<const std::size_t> indices) {
   std::size_t count = std::min(main_.lines().size(), indices.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::string begin = (json_ ? "{\"index\":" : "") + std::to_string(indices[i]) + ",";
-    if (!main_.lines()[i].starts_with(begin))
-      throw InputError::at_line(main_.file().string(), i + 2,
-                                "is not the row of pose " + std::to_string(indices[i]) +
-                                    ": the file was changed; remove it, or leave out --resume");
-  }
   if (wants_contacts_) count = keep_whole_contacts(indices.first(count));
   main_.cut(count);
   return count;
@@ -51,13 +42,8 @@ std::size_t QueryLines::taken_over(std::span<const std::size_t> indices) {
 /// Keeps the contacts of the poses from the first on that are whole. Returns how many these are.
 std::size_t QueryLines::keep_whole_contacts(std::span<const std::size_t> indices) {
   std::size_t whole = 0, kept = 0;
-  for (std::size_t i = 0; i < contacts_.lines().size() && whole < indices.size(); ++i) {
-    const std::string& line = contacts_.lines()[i];
-    if (!line.starts_with(end_mark)) continue;
-    if (line != end_of(indices[whole], i - kept)) break;
-    ++whole;
-    kept = i + 1;
-  }
+  for (std::size_t i = 0; i < contacts_.lines().size() && whole < indices.size(); ++i)
+    if (contacts_.lines()[i] == end_of(indices[whole])) ++whole, kept = i + 1;
   contacts_.cut(kept);
   return whole;
 }
@@ -72,7 +58,7 @@ void QueryLines::add(std::span<const Column> columns, const Row& row,
     main_.add(json_line(columns, row, {"contact_rows", contact_columns.subspan(1), contacts, 1}));
   if (!wants_contacts_) return;
   for (const Row& contact : contacts) contacts_.add(csv_line(contact));
-  contacts_.add(end_of(static_cast<std::size_t>(std::get<std::int64_t>(row[0])), contacts.size()));
+  contacts_.add(end_of(static_cast<std::size_t>(std::get<std::int64_t>(row[0]))));
 }
 
 void QueryLines::flush_now_and_then() {

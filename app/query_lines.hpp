@@ -30,8 +30,7 @@ class QueryLines {
 
   /// Where a run that does not resume writes over what an interrupted one has left: that file.
   std::string written_over() const;
-  /// How many of the poses, given by their indices in order, are answered in the parts. Throws
-  /// InputError where their lines are not those of these poses.
+  /// How many of the poses, given by their indices in order, are answered in the parts.
   std::size_t taken_over(std::span<const std::size_t> indices);
   /// A pose's row, and the rows of its contacts where these were asked for. In JSON, the row holds
   /// the contacts as well.

@@ -58,10 +58,16 @@ void check(const Knob& knob) {
     throw InputError::in("the knob", "how sure must be above 0 and below 1");
 }
 
-void check(const std::string& name, const MassProperties& mass) {
+/// Radii of a body: an axis of turns further away makes a turn a displacement, to what is sensible.
+constexpr double furthest_com = 1000;
+
+void check(const Body& body, const MassProperties& mass) {
+  const std::string& name = body.name;
   if (!(mass.measure > 0) || !std::isfinite(mass.measure))
     throw InputError::in(name, "the measure must be positive and finite");
   if (!mass.com.allFinite()) throw InputError::in(name, "the centre of mass is not finite");
+  if (!((mass.com - body.mass.com).stableNorm() <= furthest_com * body.mass.radius))
+    throw InputError::in(name, "the centre of mass is over 1000 radii away from the body's own");
   if (!mass.inertia.allFinite() || !(mass.inertia.minCoeff() >= 0))
     throw InputError::in(name, "the moments of inertia must be finite, and none negative");
   if (!(mass.inertia.maxCoeff() > 0))
@@ -100,7 +106,7 @@ std::shared_ptr<const Body> offset_body(const Body& body, double by, const Progr
 
 std::shared_ptr<const Body> with_mass(const Body& body, const MassProperties& mass) {
   const RoundToNearest round_to_nearest;
-  check(body.name, mass);
+  check(body, mass);
   return with_other_mass(body, mass);
 }
 

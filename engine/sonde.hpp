@@ -92,7 +92,8 @@ std::shared_ptr<const Body> offset_body(const Body& body, double by, const Progr
 /// Forces and torques are about `mass.com`. The result needs as much memory as the body.
 /// (The moments need not be those of any mass.)
 /// @throws InputError, naming the body, where the measure is not positive, a moment is negative or
-/// all are 0, a number is not finite, or the axes R_MP are no rotation (to 1e-9).
+/// all are 0, a number is not finite, the centre of mass is over 1000 radii away from the body's,
+/// or the axes R_MP are no rotation (to 1e-9).
 std::shared_ptr<const Body> with_mass(const Body& body, const MassProperties& mass);
 
 /// Facts about a body.

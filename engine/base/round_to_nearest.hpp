@@ -5,13 +5,14 @@
 
 namespace sonde {
 
-/// Within its scope numbers are rounded to the nearest, whatever a calling program has set: bounds
-/// and exact predicates rest on that. 2 ns where nothing is to be set.
+/// Within its scope numbers are rounded to the nearest, and no operation ends the program, whatever
+/// a calling program has set: bounds and exact predicates rest on the one, and infinity is a number
+/// like others. Some ns where nothing is to be set.
 class RoundToNearest {
  public:
   RoundToNearest() noexcept : other_(!is_set()) {
     if (!other_) return;
-    std::fegetenv(&before_);
+    std::feholdexcept(&before_);
     std::fesetround(FE_TONEAREST);
   }
   ~RoundToNearest() {
@@ -20,14 +21,26 @@ class RoundToNearest {
   RoundToNearest(const RoundToNearest&) = delete;
   RoundToNearest& operator=(const RoundToNearest&) = delete;
 
-  /// Asks the arithmetic itself: std::fegetround() may read another unit's mode than the one that
-  /// computes.
+  /// The mode of the arithmetic itself is asked for as well: std::fegetround() may read that of
+  /// another unit than the one that computes.
   static bool is_set() noexcept {
     const volatile double one = 1, little = 0x1p-60;
-    return one + little == 1 && one - little == 1;
+    return one + little == 1 && one - little == 1 && std::fegetround() == FE_TONEAREST &&
+           !has_traps();
   }
 
  private:
+  static bool has_traps() noexcept {
+#if defined(__SSE2__)
+    constexpr unsigned all = 0x1f80;
+    return (__builtin_ia32_stmxcsr() & all) != all;
+#elif defined(__GLIBC__)
+    return fegetexcept() != 0;
+#else
+    return false;
+#endif
+  }
+
   bool other_;
   std::fenv_t before_;
 };

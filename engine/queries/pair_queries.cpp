@@ -89,7 +89,12 @@ SweptPath sweep(const Pair& pair, const Pose& X0_FM, const Pose& X1_FM) {
   out.free = swept.free_until;
   out.hit = swept.hit;
   out.X_FM = out.free >= 1 ? to : motion.pose_at(out.free);
-  if (out.hit) out.contact = contact_of(probe, fixed, out.X_FM, swept);
+  if (!out.hit) return out;
+  // Far out, the path is so rough that any obstacle may be rounding.
+  const Vec3 farthest = from.p.cwiseAbs().cwiseMax(to.p.cwiseAbs());
+  if (rounding_guard(extent(probe), extent(fixed), farthest) > largest_rounding * probe.mass.radius)
+    throw InputError("the motion leads too far from the origin for the size of the probe");
+  out.contact = contact_of(probe, fixed, out.X_FM, swept);
   return out;
 }
 

@@ -93,6 +93,7 @@ TEST(WithMass, properties_of_no_body_are_refused_with_the_reason) {
   refused([](MassProperties& m) { m.inertia[1] = -1e-9; });
   refused([](MassProperties& m) { m.inertia.setZero(); });
   refused([](MassProperties& m) { m.com[0] = std::numeric_limits<double>::infinity(); });
+  refused([](MassProperties& m) { m.com[0] = 1e30; });
   refused([](MassProperties& m) { m.R_MP(0, 0) += 1e-3; });
   refused([](MassProperties& m) { m.R_MP.col(2) = -m.R_MP.col(2); });
 }
@@ -232,6 +233,25 @@ TEST(Rounding, a_caller_that_rounds_otherwise_gets_the_same_bits_and_keeps_its_m
     for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(found[i], expected[i]) << i;
   }
 }
+
+#ifdef __GLIBC__
+// Reference: the same calls without traps.
+TEST(Rounding, a_caller_that_is_to_end_at_an_invalid_operation_does_not_end_in_the_library) {
+  const PolygonSoup knot = test::torus_knot(2, 3, 0.1, 0.04, 0.03, 40, 8);
+  const auto block = test::body(test::box({0.3, 0.3, 0.1}));
+  const Pose in{Quat(Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized())), Vec3(0.02, 0.01, 0.06)},
+      out{in.q, Vec3(0.02, 0.01, 0.3)};
+  const test::TempFolder folder;
+  const std::vector<double> expected = answers(knot, *block, in, out, folder / "pair");
+  constexpr int traps = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
+  std::feclearexcept(FE_ALL_EXCEPT);
+  ASSERT_NE(feenableexcept(traps), -1);
+  const std::vector<double> found = answers(knot, *block, in, out, folder / "pair");
+  const int kept = fedisableexcept(traps);
+  EXPECT_EQ(kept, traps);
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(found[i], expected[i]) << i;
+}
+#endif
 
 }  // namespace
 }  // namespace sonde

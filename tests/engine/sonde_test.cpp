@@ -250,6 +250,7 @@ TEST(Face, options_that_make_no_sense_are_refused_by_name) {
     EXPECT_THAT(complaint_of([&] { follower.start(X, options); }), HasSubstr(word));
     EXPECT_EQ(follower.last().status, Status::failed) << "it has not started";
   };
+  refused({.method = static_cast<Method>(7)}, "method");
   refused({.starts = 0}, "starts");
   refused({.starts = -5}, "starts");
   refused({.agreement = -1}, "agreement");

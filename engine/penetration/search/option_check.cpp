@@ -9,6 +9,7 @@ void check(const StaticOptions& options) {
   const auto need = [](bool holds, const char* reason) {
     if (!holds) throw InputError::in("the options", reason);
   };
+  need(options.method == Method::pdg || options.method == Method::pdt, "there is no such method");
   need(is_valid(options.budget), "no limit of the budget may be negative or NaN");
   need(options.starts >= 1, "starts must be at least 1");
   need(options.agreement >= 1, "agreement must be at least 1");

@@ -8,9 +8,6 @@
 namespace sonde {
 namespace {
 
-/// Share of the probe's radius: if coordinates are rounded by more, contacts are meaningless.
-constexpr double largest_rounding = 0.01;
-
 /// Whether the probe's ball about its centre of mass is clear of the box around the fixed body.
 bool ball_is_clear(const Body& probe, const Body& fixed, const Transform& X, double rounding) {
   const Vec3 com = X * probe.mass.com;

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "engine/base/ordering.hpp"
+#include "engine/proximity/queries/far_distance.hpp"
 #include "engine/proximity/queries/inside.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/queries/triangle_batch.hpp"
@@ -114,6 +115,7 @@ class Search {
 
 Distance triangle_distance(const Body& a, const Body& b, const Transform& X_BA,
                            std::optional<DistanceHint> hint) {
+  if (const auto found = far_distance(a, b, X_BA)) return *found;
   Search search(a, b, X_BA);
   if (hint)
     search.start_from(*hint);

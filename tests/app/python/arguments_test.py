@@ -2,6 +2,7 @@
 """What is refused is named, in a line; and what was never made is refused, not read."""
 
 import pathlib
+import pickle
 import unittest
 
 import numpy
@@ -80,6 +81,15 @@ class Arguments(unittest.TestCase):
         for call in (
             lambda: unmade(sonde.Body).inside([0, 0, 0]),
             lambda: unmade(sonde.Body).name,
+            *[
+                lambda kind=kind, way=way: way(unmade(kind))
+                for kind in (sonde.Body, sonde.Pair, sonde.Depths, sonde.Separation)
+                for way in (
+                    lambda x: x.__reduce__(),
+                    lambda x: x.__reduce_ex__(0),
+                    lambda x: pickle.dumps(x, 1),
+                )
+            ],
             lambda: repr(unmade(sonde.Body)),
             lambda: sonde.Pair(unmade(sonde.Body), box()),
             lambda: unmade(sonde.Pair).depth(at(3)),

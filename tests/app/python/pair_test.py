@@ -253,12 +253,12 @@ class Pair(unittest.TestCase):
         expected = depth_of_one(pair, pose)
         cup = sonde.Body.read(os.path.join(MODELS, "cup.ply"))
         for body in (pair.probe, cup, box().offset(-0.1), box().with_mass(measure=3.0)):
-            again = pickle.loads(pickle.dumps(body))
+            again = pickle.loads(pickle.dumps(body, 0))
             self.assertEqual(
                 (again.measure, again.triangles, again.offset_by),
                 (body.measure, body.triangles, body.offset_by),
             )
-        self.assertEqual(depth_of_one(pickle.loads(pickle.dumps(pair)), pose), expected)
+        self.assertEqual(depth_of_one(pickle.loads(pickle.dumps(pair, 1)), pose), expected)
         found = pair.depth([pose, at(3)])
         again = copy.deepcopy(found)
         for name in ("depth", "pose", "device", "contact_point", "status"):

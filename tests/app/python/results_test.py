@@ -85,7 +85,10 @@ class Results(unittest.TestCase):
         follower = pair.follower()
         follower.step(deep)
         for found in (separated(pair, deep), separated(pair, POSES[0]), follower.step(deep)):
-            for again in (pickle.loads(pickle.dumps(found)), copy.deepcopy(found)):
+            protocols = range(pickle.HIGHEST_PROTOCOL + 1)
+            for again in [pickle.loads(pickle.dumps(found, p)) for p in protocols] + [
+                copy.deepcopy(found)
+            ]:
                 self.same(again, found, OF_ONE)
                 self.assertEqual(repr(again), repr(found))
                 numpy.testing.assert_array_equal(pair.wrench(again), pair.wrench(found))

@@ -219,6 +219,8 @@ TEST(PairQueries, what_is_no_pose_is_refused_with_the_reason) {
   const Pose lost{Quat::Identity(), Vec3(1e200, 0, 0)};
   EXPECT_FALSE(touch(pair, lost)) << "far, but apart";
   EXPECT_THROW(sweep(pair, good, lost), InputError);
+  EXPECT_THROW(sweep(pair, good, {Quat::Identity(), Vec3(1e20, 0, 0)}), InputError);
+  EXPECT_FALSE(sweep(pair, good, {Quat::Identity(), Vec3(1e9, 0, 0)}).hit);
   for (const double far : {1e3, 1e9, 1e20, 1e150, 1e200, 1e300})
     EXPECT_NEAR(distance(pair, {Quat::Identity(), Vec3(far, 0, 0)}).distance / far, 1 - 1 / far,
                 1e-14);
