@@ -72,12 +72,16 @@ std::span<const T> parts_of(const std::array<T, n>& several) {
 }
 template <class T>
 constexpr bool is_one = std::is_arithmetic_v<T>;
+template <class T>
+constexpr std::size_t count_in = 1;
+template <class T, std::size_t n>
+constexpr std::size_t count_in<std::array<T, n>> = n;
 
 template <class Row, class Member>
 py::object array_of(const std::vector<Row>& rows, Member Row::*member) {
   using Number = std::remove_cvref_t<decltype(parts_of(std::declval<Member&>())[0])>;
   std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(rows.size())};
-  if (!is_one<Member>) shape.push_back(sizeof(Member) / sizeof(Number));
+  if (!is_one<Member>) shape.push_back(count_in<Member>);
   py::array_t<Number> out(shape);
   Number* to = out.mutable_data();
   for (const Row& row : rows) to = std::ranges::copy(parts_of(row.*member), to).out;
@@ -90,7 +94,7 @@ void read_array(std::vector<Row>& rows, Member Row::*member, const py::object& g
   using Number = std::remove_cvref_t<decltype(parts_of(std::declval<Member&>())[0])>;
   const auto array = given.cast<py::array_t<Number, py::array::c_style>>();
   rows.resize(static_cast<std::size_t>(array.ndim() > 0 ? array.shape(0) : 0));
-  if (static_cast<std::size_t>(array.size()) != rows.size() * sizeof(Member) / sizeof(Number))
+  if (static_cast<std::size_t>(array.size()) != rows.size() * count_in<Member>)
     throw py::value_error("this is no state of Depths");
   const Number* from = array.data();
   for (Row& row : rows)
@@ -128,7 +132,9 @@ Depths part_of(const Depths& d, const py::object& index) {
   for (py::ssize_t i = 0; i < taken.size(); ++i) {
     const std::int64_t row = taken.data()[i];
     out.rows.push_back(d.rows[static_cast<std::size_t>(row)]);
-    for (ContactRow contact : std::ranges::equal_range(d.contacts, row, {}, &ContactRow::row)) {
+    const auto first = std::ranges::lower_bound(d.contacts, row, {}, &ContactRow::row),
+               last = std::ranges::upper_bound(d.contacts, row, {}, &ContactRow::row);
+    for (ContactRow contact : std::span(first, last)) {
       contact.row = i;
       out.contacts.push_back(contact);
     }

@@ -26,7 +26,7 @@ Pose checked(const Pose& X) {
 }
 
 Pose checked_within_reach(const Pose& X) {
-  const Pose out = checked(X);
+  Pose out = checked(X);
   if (X.p.cwiseAbs().maxCoeff() > furthest)
     throw InputError("the pose is too far from the origin to compute with");
   return out;
