@@ -24,8 +24,10 @@ std::string sum_after(const std::string& sum, std::string_view line) {
 PartFile::PartFile(const std::string& result, const std::string& run, bool resume) : run_(run) {
   if (result.empty()) return;
   file_ = result + ".part";
-  was_there_ = std::filesystem::exists(file_) && !std::filesystem::is_empty(file_);
-  if (std::filesystem::exists(file_)) hold(WritableFile::Opening::existing);
+  std::error_code none;  // a name that cannot be is one of no file
+  const bool exists = std::filesystem::exists(file_, none);
+  was_there_ = exists && !std::filesystem::is_empty(file_, none);
+  if (exists) hold(WritableFile::Opening::existing);
   if (resume && was_there_) take_over();
 }
 

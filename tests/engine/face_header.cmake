@@ -13,6 +13,7 @@ set(allowed
     engine/geometry/mass.hpp
     engine/geometry/model.hpp
     engine/geometry/pose.hpp
+    engine/base/sentences.hpp
     engine/mending/repairs.hpp
     engine/haptics/coupling/coupling.hpp
     engine/penetration/search/pair.hpp
