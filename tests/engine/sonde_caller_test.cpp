@@ -164,8 +164,8 @@ TEST(FollowerCopy, goes_on_from_the_same_state_and_allocates_nothing) {
 }
 
 /// A number or more of every function of the face that computes.
-std::vector<double> answers(const PolygonSoup& knot, const Body& block_body, const Pose& in,
-                            const Pose& out, const std::filesystem::path& file) {
+std::vector<double> all_answers(const PolygonSoup& knot, const Body& block_body, const Pose& in,
+                                const Pose& out, const std::filesystem::path& file) {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   for (const Triangle& t : triangulate(knot).soup.triangles) triangles.push_back(t);
   const auto block = with_mass(block_body, facts(block_body).mass);
@@ -212,19 +212,27 @@ std::vector<double> answers(const PolygonSoup& knot, const Body& block_body, con
           pose_of(M).q.z()};
 }
 
+/// What the functions are asked about, made before a mode is set.
+struct Asked {
+  PolygonSoup knot = test::torus_knot(2, 3, 0.1, 0.04, 0.03, 40, 8);
+  std::shared_ptr<const Body> block = test::body(test::box({0.3, 0.3, 0.1}));
+  Pose in{Quat(Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized())), Vec3(0.02, 0.01, 0.06)};
+  Pose out{in.q, Vec3(0.02, 0.01, 0.3)};
+  test::TempFolder folder;
+  std::vector<double> answers() const {
+    return all_answers(knot, *block, in, out, folder / "pair");
+  }
+};
+
 // Reference: the same calls with numbers rounded to the nearest, as programs begin.
 TEST(Rounding, a_caller_that_rounds_otherwise_gets_the_same_bits_and_keeps_its_mode) {
-  const PolygonSoup knot = test::torus_knot(2, 3, 0.1, 0.04, 0.03, 40, 8);
-  const auto block = test::body(test::box({0.3, 0.3, 0.1}));
-  const Pose in{Quat(Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized())), Vec3(0.02, 0.01, 0.06)},
-      out{in.q, Vec3(0.02, 0.01, 0.3)};
-  const test::TempFolder folder;
-  const std::vector<double> expected = answers(knot, *block, in, out, folder / "pair");
+  const Asked asked;
+  const std::vector<double> expected = asked.answers();
   EXPECT_GT(expected[2], 0.01);
   EXPECT_GT(expected[8], 0.01);
   for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
     ASSERT_EQ(std::fesetround(mode), 0);
-    const std::vector<double> found = answers(knot, *block, in, out, folder / "pair");
+    const std::vector<double> found = asked.answers();
     const int kept = std::fegetround();
     const bool still = !RoundToNearest::is_set();
     std::fesetround(FE_TONEAREST);
@@ -237,16 +245,12 @@ TEST(Rounding, a_caller_that_rounds_otherwise_gets_the_same_bits_and_keeps_its_m
 #ifdef __GLIBC__
 // Reference: the same calls without traps.
 TEST(Rounding, a_caller_that_is_to_end_at_an_invalid_operation_does_not_end_in_the_library) {
-  const PolygonSoup knot = test::torus_knot(2, 3, 0.1, 0.04, 0.03, 40, 8);
-  const auto block = test::body(test::box({0.3, 0.3, 0.1}));
-  const Pose in{Quat(Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized())), Vec3(0.02, 0.01, 0.06)},
-      out{in.q, Vec3(0.02, 0.01, 0.3)};
-  const test::TempFolder folder;
-  const std::vector<double> expected = answers(knot, *block, in, out, folder / "pair");
+  const Asked asked;
+  const std::vector<double> expected = asked.answers();
   constexpr int traps = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
   std::feclearexcept(FE_ALL_EXCEPT);
   ASSERT_NE(feenableexcept(traps), -1);
-  const std::vector<double> found = answers(knot, *block, in, out, folder / "pair");
+  const std::vector<double> found = asked.answers();
   const int kept = fedisableexcept(traps);
   EXPECT_EQ(kept, traps);
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(found[i], expected[i]) << i;
