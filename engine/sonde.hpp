@@ -21,6 +21,7 @@
 #include "engine/base/error.hpp"                              // InputError, Cancelled, Progress
 #include "engine/base/phase_times.hpp"                        // Phase, PhaseTimes
 #include "engine/base/sentences.hpp"                          // Sentences
+#include "engine/body/fingerprint.hpp"                        // fingerprint
 #include "engine/calibration/knob.hpp"                        // Knob, Claim
 #include "engine/geometry/face_offset.hpp"                    // FaceOffset
 #include "engine/geometry/mass.hpp"                           // MassProperties

@@ -9,7 +9,6 @@
 
 #include "app/python/arguments.hpp"
 #include "app/python/every_row.hpp"
-#include "app/python/fingerprint.hpp"
 #include "app/python/interruptible.hpp"
 #include "app/python/poses.hpp"
 #include "app/python/words.hpp"
@@ -36,7 +35,7 @@ SharedBody shared(std::shared_ptr<const sonde::Body> body, py::tuple recipe) {
   std::uint64_t mark = 0;
   {
     const py::gil_scoped_release released;
-    mark = fingerprint(*body, known);
+    mark = sonde::fingerprint(*body);
   }
   return {std::move(body), std::move(known), std::move(recipe), mark};
 }

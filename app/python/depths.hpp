@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/python/fingerprint.hpp"
 #include "app/python/initialised.hpp"
+#include "app/python/pair_mark.hpp"
 #include "engine/sonde.hpp"
 
 namespace sonde::python {

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "app/python/fingerprint.hpp"
 #include "app/python/initialised.hpp"
+#include "app/python/pair_mark.hpp"
 #include "engine/sonde.hpp"
 
 namespace sonde::python {

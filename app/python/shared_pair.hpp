@@ -4,7 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include "app/python/bodies.hpp"
-#include "app/python/fingerprint.hpp"
+#include "app/python/pair_mark.hpp"
 #include "engine/sonde.hpp"
 
 namespace sonde::python {

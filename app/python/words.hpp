@@ -33,8 +33,8 @@ inline Status status_of(const std::string& word) {
                          {name_of(Status::failed), Status::failed}});
 }
 inline Budget budget_of(int steps, double microseconds) {
-  if (steps < 0 || !(microseconds >= 0))
-    throw std::invalid_argument("a budget must be zero (none) or more");
+  if (steps < 0) throw std::invalid_argument("budget_steps must be 0 (none) or more");
+  if (!(microseconds >= 0)) throw std::invalid_argument("budget_us must be 0 (none) or more");
   return {.steps = steps, .microseconds = microseconds};
 }
 

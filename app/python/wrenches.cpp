@@ -20,6 +20,8 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
+constexpr Coupling gains;  // what is used where none are given
+
 /// What a wrench depends on: the status and both poses.
 Separation of_row(const DepthRow& row) {
   const auto pose = [](const std::array<double, 7>& n) {
@@ -45,6 +47,14 @@ py::array_t<double> array_of(const std::vector<Wrench>& felt) {
   });
 }
 
+void need_gain(const char* name, double given) {
+  if (!std::isfinite(given) || given < 0)
+    throw std::invalid_argument(std::string(name) + " must be finite, 0 or more");
+}
+void need_limit(const char* name, double given) {
+  if (!(given >= 0)) throw std::invalid_argument(std::string(name) + " must be 0 or more");
+}
+
 /// The wrench of rows of Depths: of their poses alone, as the coupling does without damping.
 py::array_t<double> pair_wrench(const SharedPair& pair, const py::object& of,
                                 Argument<"k", double> k, const Argument<"mode", std::string>& mode,
@@ -57,11 +67,11 @@ py::array_t<double> pair_wrench(const SharedPair& pair, const py::object& of,
   coupling.k = k, coupling.k_t = k_t, coupling.k_r = k_r;
   coupling.b_t = coupling.b_r = 0;
   coupling.max_force = max_force, coupling.max_torque = max_torque;
-  for (const double x : {k.value, k_t.value, k_r.value})
-    if (!std::isfinite(x) || x < 0)
-      throw std::invalid_argument("a stiffness must be finite, 0 or more");
-  for (const double x : {max_force.value, max_torque.value})
-    if (!(x >= 0)) throw std::invalid_argument("a limit must be 0 or more");
+  need_gain("k", k);
+  need_gain("k_t", k_t);
+  need_gain("k_r", k_r);
+  need_limit("max_force", max_force);
+  need_limit("max_torque", max_torque);
   if (py::isinstance<Found>(of)) {
     const auto& found = of.cast<const Found&>();
     need_result_of(pair, found.pair);
@@ -121,8 +131,8 @@ py::tuple principal_of(const py::object& given, Argument<"k", double> k) {
 
 void declare_wrenches(py::module_& module, PairClass& pair) {
   pair.def(
-          "wrench", &pair_wrench, "of"_a, "k"_a = 1000.0, "mode"_a = "object", "k_t"_a = 1000.0,
-          "k_r"_a = 1.0, "max_force"_a = 1e30, "max_torque"_a = 1e30,
+          "wrench", &pair_wrench, "of"_a, "k"_a = gains.k, "mode"_a = "object", "k_t"_a = gains.k_t,
+          "k_r"_a = gains.k_r, "max_force"_a = 1e30, "max_torque"_a = 1e30,
           "Force (N) and torque (N m, about the probe's centre of mass) on the hand, in the fixed\n"
           "frame, (n, 6), of Depths or a Separation of this pair. mode \"object\": k in N/m;\n"
           "\"classic\": k_t in N/m and k_r in N m/rad, without damping.")
@@ -132,12 +142,12 @@ void declare_wrenches(py::module_& module, PairClass& pair) {
            "rotation vector, rad, in the fixed frame. Then the wrench's on the other side, and\n"
            "\"all\" where both are one, \"two\" where contacts begin or end at this pose, or\n"
            "\"none\" where there is no derivative.");
-  module.def("wrench", &pair_wrench, "pair"_a, "of"_a, "k"_a = 1000.0, "mode"_a = "object",
-             "k_t"_a = 1000.0, "k_r"_a = 1.0, "max_force"_a = 1e30, "max_torque"_a = 1e30,
+  module.def("wrench", &pair_wrench, "pair"_a, "of"_a, "k"_a = gains.k, "mode"_a = "object",
+             "k_t"_a = gains.k_t, "k_r"_a = gains.k_r, "max_force"_a = 1e30, "max_torque"_a = 1e30,
              "As Pair.wrench.");
   module.def("derivative", &pair_derivative, "pair"_a, "of"_a, "As Pair.derivative.");
   module.def(
-      "principal_stiffnesses", &principal_of, "d_wrench"_a, "k"_a = 1000.0,
+      "principal_stiffnesses", &principal_of, "d_wrench"_a, "k"_a = gains.k,
       "The stiffness that the hand feels at a gain of k, N/m, in its principal directions, the\n"
       "largest first, of a (6, 6) that derivative() gave, of either side: of displacements (3,),\n"
       "N/m, along directions (3, 3), a row each, unit, in the fixed frame; and of turns about\n"

@@ -22,6 +22,7 @@ sonde::Pair::Pair
 sonde::Pair::exchanged
 sonde::distance
 sonde::facts
+sonde::fingerprint
 sonde::inside
 sonde::make_body
 sonde::nearest_point
@@ -49,4 +50,4 @@ sonde::write_pair
 END
 diff "$work/expected" "$work/shown"
 # Each only as the header declares it; constructors and destructors have two names each.
-same_output 45 sh -c "nm -D --defined-only '$library' | wc -l"
+same_output 46 sh -c "nm -D --defined-only '$library' | wc -l"

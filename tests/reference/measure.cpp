@@ -32,7 +32,9 @@ Measured measure(const Row& row, const Pair& pair, const StaticOptions& options,
   const double searched = now();
   out.time_us = searched - started;
   if (options.whole_bound) {
-    out.lower_bound = depth_lower_bound(pair.probe(), pair.fixed(), row.pose);
+    out.lower_bound =
+        depth_lower_bound(pair.probe(), pair.fixed(), row.pose, {},
+                          {.translations = options.method == Method::pdt, .known = out.got.depth});
     out.bound_us = now() - searched;
   } else {
     search.want_lower_bound = true;

@@ -162,7 +162,6 @@ void ReadoutPanel::take(const Pair& pair) {
   mass_ = pair.probe().mass;
   const LengthUnit unit(mass_.radius);
   unit_ = unit;
-  any_solid_ = pair.probe().solid || pair.fixed().solid;  // there can be a lower bound
   depth_plot_->set_unit(1 / unit.metres(), unit.name());
   depth_plot_->clear();
   force_plot_->clear();
@@ -244,10 +243,8 @@ void ReadoutPanel::show_held(const Instant& now) {
 
 void ReadoutPanel::show_ways(const Separation& separation,
                              const std::optional<BackgroundResult>& searched) {
-  const QString none = any_solid_ ? QStringLiteral("…") : QStringLiteral("none: two surfaces");
   if (!searched) {
-    for (QLabel* label : {nearest_, pdt_}) label->setText(QStringLiteral("…"));
-    bound_->setText(none);
+    for (QLabel* label : {nearest_, pdt_, bound_}) label->setText(QStringLiteral("…"));
     why_->clear();
     return;
   }
@@ -275,7 +272,7 @@ void ReadoutPanel::show_ways(const Separation& separation,
   nearest_->setText(in_shade(searched->nearest ? unit_.text(nearest) : not_found));
   pdt_->setText(searched->pdt ? beside(searched->pdt->depth) : in_shade(not_found));
   bound_->setText(searched->lower_bound ? beside(*searched->lower_bound)
-                                        : QStringLiteral("none: two surfaces"));
+                                        : QStringLiteral("none found"));
 }
 
 void ReadoutPanel::show_wrench(const Snapshot& snapshot) {

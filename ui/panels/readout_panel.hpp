@@ -49,7 +49,6 @@ class ReadoutPanel : public QDockWidget {
   std::optional<Pair> pair_;
   MassProperties mass_;
   LengthUnit unit_;
-  bool any_solid_ = false;
   Coupling coupling_;
   QLabel *depth_, *translation_, *rotation_, *screw_, *nearest_, *why_, *pdt_, *bound_, *force_,
       *torque_, *contacts_, *force_parts_, *torque_parts_, *tick_, *rate_, *late_, *steps_;

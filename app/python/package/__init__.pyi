@@ -182,9 +182,9 @@ class Pair:
     def wrench(
         self,
         of: Union[Depths, Separation],
-        k: float = 1000.0,
+        k: float = 500.0,
         mode: str = "object",
-        k_t: float = 1000.0,
+        k_t: float = 500.0,
         k_r: float = 1.0,
         max_force: float = 1e30,
         max_torque: float = 1e30,
@@ -265,16 +265,16 @@ def sweep(pair: Pair, start: ArrayLike, end: ArrayLike) -> Tuple[Any, Any, Any, 
 def wrench(
     pair: Pair,
     of: Union[Depths, Separation],
-    k: float = 1000.0,
+    k: float = 500.0,
     mode: str = "object",
-    k_t: float = 1000.0,
+    k_t: float = 500.0,
     k_r: float = 1.0,
     max_force: float = 1e30,
     max_torque: float = 1e30,
 ) -> NDArray[numpy.float64]: ...
 def derivative(pair: Pair, of: Separation) -> Tuple[Any, Any, Any, str]: ...
 def principal_stiffnesses(
-    d_wrench: ArrayLike, k: float = 1000.0
+    d_wrench: ArrayLike, k: float = 500.0
 ) -> Tuple[Any, Any, Any, Any]: ...
 def poses(
     translation: ArrayLike,

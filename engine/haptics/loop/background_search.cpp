@@ -66,7 +66,8 @@ BackgroundResult compute(const Pair& pair, const Pose& X_FM, const Extent& exten
   }
   if (out.pdt) {
     const PhaseTimer timer(times, Phase::bound);
-    if (const auto bound = witnessed_lower_bound(pair.probe(), pair.fixed(), X_FM)) {
+    if (const auto bound = witnessed_lower_bound(pair.probe(), pair.fixed(), X_FM, {},
+                                                 {.known = out.nearest->depth})) {
       out.lower_bound = bound->depth;
       out.witness = bound->witness;
     }

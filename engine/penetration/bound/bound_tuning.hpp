@@ -47,6 +47,23 @@ struct BoundTuning {
   double inwards[3] = {0.75, 0.5, 0.25};  ///< factors on the distance from the centre of mass
   double as_deep = 0.97;  ///< times the depth: the walk inwards ends at a shallower point
 
+  // Crossings (best_crossing). Each limit leaves out curves that might have proved more.
+  double worth_crossings =
+      0.5;           ///< times the known depth: with a bound above it none is looked for
+  double reach = 4;  ///< times the known depth: what is looked at about a place
+  double comparisons_of_work = 300;         ///< comparisons that take the time of one unit of work
+  int most_opened_for_crossings = 2000;     ///< pairs of boxes opened to find places
+  std::size_t most_meets = 256;             ///< pairs of triangles that meet, to choose places from
+  double off_the_ends = 0.999;              ///< share of a shared segment in which a place may lie
+  std::size_t most_crossings = 8;           ///< places
+  std::size_t most_local_triangles = 1024;  ///< of either body about a place, the nearest
+  std::size_t most_steps_of_cut = 1000;     ///< triangles that a curve runs over on each side
+  double pieces_of_reach = 24;              ///< pieces of a curve in a length of the reach
+  double most_pieces = 128;                 ///< of a curve
+  double least_cosine_of_patch = 0.2;  ///< of the angle between the normals of a patch and its seed
+  /// rad: angles of the planes that cut curves to that across the line in which triangles meet.
+  double turns_of_cuts[3] = {0, 0.6, -0.6};
+
   // Uphill (CommonDepth::ascend)
   int more_without_any = 3;    ///< factor on the evaluations while there is no common point
   double level = 0.05;         ///< |gradient|: below it, the point counts as a maximum

@@ -10,6 +10,7 @@
 #include "engine/base/numbers.hpp"
 #include "engine/base/ordering.hpp"
 #include "engine/penetration/bound/bound_tuning.hpp"
+#include "engine/penetration/bound/crossing.hpp"
 #include "engine/penetration/bound/deep_points.hpp"
 #include "engine/penetration/bound/rotation_cell.hpp"
 #include "engine/penetration/bound/witness.hpp"
@@ -237,6 +238,46 @@ class TurnSearch {
   int cells_ = 0;
 };
 
+/// What points that lie in both bodies prove.
+LowerBound bound_by_points(const Body& probe, const Body& fixed, const Pose& X_FM,
+                           const Deadline& deadline, const BoundOptions& options) {
+  const CommonDepth depth(probe, fixed, X_FM);
+  const std::vector<CommonPoint> points = deep_points(depth, deadline);
+  LowerBound bound;
+  if (points.empty()) return bound;
+  double most = 0;
+  for (const CommonPoint& s : points) {
+    const double alone = options.translations ? s.depth() : bound_of(s, probe.mass.inertia);
+    if (alone <= most) continue;
+    most = alone;
+    bound.witness = BoundWitness{depth.X_FW() * s.x, s.depth()};
+  }
+  if (!options.translations)
+    most = std::max(most, TurnSearch(depth, points).run(options.work, deadline));
+  bound.depth = most * (1 - 1e-9);
+  return bound;
+}
+
+/// What curves on one surface prove that pierce the other one, m; 0 if no more than `beat`.
+double bound_by_crossings(const Body& probe, const Body& fixed, const Pose& X_FM, double beat,
+                          const Deadline& deadline, const BoundOptions& options) {
+  const CommonDepth depth(probe, fixed, X_FM);
+  const Transform& X_FW = depth.X_FW();
+  CrossingSearch search;
+  search.beat = beat;
+  search.reach = std::min(bound_tuning.reach * options.known,
+                          2 * std::min(probe.mass.radius, fixed.mass.radius));
+  search.work = static_cast<int>(
+      std::min(2e9, bound_tuning.comparisons_of_work * static_cast<double>(options.work)));
+  search.deadline = deadline;
+  search.price = [&](const Vec3& x) {
+    return options.translations
+               ? 1
+               : 1 + leverage(probe.mass.inertia, X_FW.R.transpose() * (x - X_FW.p));
+  };
+  return best_crossing(probe, fixed, depth.X_FM(), search).bound * (1 - 1e-9);
+}
+
 }  // namespace
 
 std::optional<double> depth_lower_bound(const Body& probe, const Body& fixed, const Pose& X_FM,
@@ -249,19 +290,14 @@ std::optional<double> depth_lower_bound(const Body& probe, const Body& fixed, co
 std::optional<LowerBound> witnessed_lower_bound(const Body& probe, const Body& fixed,
                                                 const Pose& X_FM, const Deadline& deadline,
                                                 const BoundOptions& options) {
-  if (!probe.solid && !fixed.solid) return std::nullopt;
-  const CommonDepth depth(probe, fixed, X_FM);
-  const std::vector<CommonPoint> points = deep_points(depth, deadline);
-  if (points.empty()) return LowerBound{};
-  LowerBound bound;
-  double most = 0;
-  for (const CommonPoint& s : points) {
-    const double alone = bound_of(s, probe.mass.inertia);
-    if (alone <= most) continue;
-    most = alone;
-    bound.witness = BoundWitness{depth.X_FW() * s.x, s.depth()};
-  }
-  bound.depth = std::max(most, TurnSearch(depth, points).run(options.work, deadline)) * (1 - 1e-9);
+  std::optional<LowerBound> bound;
+  if (probe.solid || fixed.solid) bound = bound_by_points(probe, fixed, X_FM, deadline, options);
+  if (bound && bound->depth >= bound_tuning.worth_crossings * options.known) return bound;
+  const double crossing =
+      bound_by_crossings(probe, fixed, X_FM, bound ? bound->depth : 0, deadline, options);
+  if (!bound && !(crossing > 0)) return std::nullopt;
+  if (!bound) bound = LowerBound{};
+  bound->depth = std::max(bound->depth, crossing);
   return bound;
 }
 

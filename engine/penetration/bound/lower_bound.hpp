@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "engine/base/deadline.hpp"
@@ -14,14 +15,21 @@ struct BoundOptions {
   /// bound by less than 2 %. More work brings the bound nearer to the best that single points can
   /// prove ("How sharp the lower bound is" in resources/docs/understand/penetration.md).
   int work = 20'000;
+  /// Whether the bound is of √PD_t, which is no lower, rather than √PD_g.
+  bool translations = false;
+  /// m: the depth of a known separation. Where the bound reaches half of it, no crossings are
+  /// looked for. Infinite: unknown.
+  double known = std::numeric_limits<double>::infinity();
 };
 
 /// A certified lower bound of the depth √PD_g (PD_g is in m², the depth and this bound in m) of
-/// probe A at X_FM against B, rounded down. No value if both bodies are surfaces. A point at depth
-/// a in A and depth b in B (negative outside) must be displaced by a + b, whatever the motion.
-/// Cells cover the rotations; in each cell, the most useful point bounds how far the centre of mass
-/// must move besides. 0 if no point lies in both bodies (or none was found before the deadline).
-/// The proof is in "Lower bound" of resources/docs/understand/mathematics.md.
+/// probe A at X_FM against B, rounded down. A point at depth a in A and depth b in B (negative
+/// outside) must be displaced by a + b, whatever the motion. Cells cover the rotations; in each
+/// cell, the most useful point bounds how far the centre of mass must move besides. Where points
+/// prove little, as in thin bodies and surfaces, curves on one surface that pierce the other one
+/// (Crossing) may prove more. No value if both bodies are surfaces and no such curve was found; 0
+/// if otherwise nothing was found (or nothing before the deadline). The proofs are in "Lower bound"
+/// of resources/docs/understand/mathematics.md.
 std::optional<double> depth_lower_bound(const Body& probe, const Body& fixed, const Pose& X_FM,
                                         const Deadline& deadline = {},
                                         const BoundOptions& options = {});

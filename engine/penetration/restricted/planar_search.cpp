@@ -151,7 +151,8 @@ Separation planar_separation(const Pair& pair, const Pose& X_FM, const Vec3& nor
   Separation out =
       search.run(std::max(options.starts, 1), std::max(options.agreement, 1), progress);
   if (options.want_lower_bound && out.status == Status::penetrating)
-    out.lower_bound = depth_lower_bound(pair.probe(), pair.fixed(), X_FM, search.deadline());
+    out.lower_bound = depth_lower_bound(pair.probe(), pair.fixed(), X_FM, search.deadline(),
+                                        {.translations = !turning, .known = out.depth});
   return out;
 }
 

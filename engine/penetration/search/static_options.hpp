@@ -27,7 +27,7 @@ struct StaticOptions {
   /// Also stop if the sketches of the bodies leave no doubt, or if the search has descended from
   /// all places that they show. False: only the two limits above end the search.
   bool by_evidence = true;
-  bool want_lower_bound = true;  ///< compute the lower bound too; two surfaces have none
+  bool want_lower_bound = true;  ///< compute the lower bound too
   /// True: the bound uses all the work that raises it (some 5 ms). False: about as much as the
   /// search took, by count, plus its start points. The bound may then be lower, and there is none
   /// if a time budget leaves less than 0.3 ms.

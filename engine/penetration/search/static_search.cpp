@@ -72,7 +72,7 @@ Separation separate_static(const Pair& pair, const Pose& X_FM, const StaticOptio
                        !deadline.passed(tuning.least_us_for_bound);
   if (options.want_lower_bound && in_time && out.status == Status::penetrating) {
     const PhaseTimer timer(options.time_phases ? &out.phases : nullptr, Phase::bound);
-    BoundOptions bound;
+    BoundOptions bound{.translations = options.method == Method::pdt, .known = out.depth};
     if (!options.whole_bound)
       bound.work = static_cast<int>(std::min<std::int64_t>(bound.work, work));
     out.lower_bound = depth_lower_bound(pair.probe(), pair.fixed(), device, deadline, bound);

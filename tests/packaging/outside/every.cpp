@@ -61,6 +61,7 @@ int main() {
   first = std::move(follower);
   follower = std::move(first);
   if (sonde::seed_of_pose(1, pose) == sonde::seed_of_pose(2, pose)) return complain("seeds");
+  if (sonde::fingerprint(*body) == 0) return complain("a fingerprint");
   if (!sonde::touch(pair, pose)) return complain("they touch");
   const sonde::SignedDistance depth = sonde::signed_distance(pair, pose);
   if (depth.distance != -depth.separation.depth) return complain("a distance less than 0");
