@@ -28,8 +28,8 @@ struct BoundTuning {
       1e-3;  ///< times the witness's depth: least tangent point a₀ (below: ill-conditioned)
   double first_away = 0.3;  ///< times the displacement of r by the cell's turns: first a₀
   int tangents = 2;         ///< tangent points tried
-  double stride = 0.3;      ///< times the depth: first step uphill at a cell's middle
-  int ascent = 2;           ///< evaluations uphill
+  double stride = 0.3;      ///< times the depth: first step of an ascent at a cell's middle
+  int ascent = 2;           ///< evaluations of that ascent
 
   // Start points (deep_points). Each cap may leave out points that would have been deeper.
   std::size_t most_points = 4;
@@ -40,7 +40,7 @@ struct BoundTuning {
   double large_triangle =
       0.1;  ///< half box diagonal / body radius: a larger triangle is also sampled inside
   double apart = 0.5;            ///< times the depth: points closer than this count as one
-  double meeting_stride = 0.02;  ///< times the smaller radius: first step uphill from there
+  double meeting_stride = 0.02;  ///< times the smaller radius: first step of an ascent from there
   int meeting_ascent = 8;        ///< evaluations of that ascent
   double last_stride = 0.5;      ///< times the depth: first step of the final ascent
   int last_ascent = 10;          ///< evaluations of the final ascent
@@ -64,7 +64,7 @@ struct BoundTuning {
   /// rad: angles of the planes that cut curves to that across the line in which triangles meet.
   double turns_of_cuts[3] = {0, 0.6, -0.6};
 
-  // Uphill (CommonDepth::ascend)
+  // Ascent to deeper points (CommonDepth::ascend)
   int more_without_any = 3;    ///< factor on the evaluations while there is no common point
   double level = 0.05;         ///< |gradient|: below it, the point counts as a maximum
   double stride_at_top = 0.5;  ///< factor on the stride at the top of a ridge

@@ -63,7 +63,8 @@ class DeepPoints {
     return s;
   }
 
-  /// In a shallow contact these may be the only points that lie in both bodies.
+  /// Evaluates points at which triangles intersect. In a shallow contact these may be the only
+  /// points that lie in both bodies.
   void where_triangles_meet() {
     const Body &a = depth_.probe(), &b = depth_.fixed();
     const Placement at(a, b, depth_.X_FM());

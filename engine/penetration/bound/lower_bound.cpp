@@ -58,8 +58,8 @@ class TurnSearch {
     }
   }
 
-  /// Returns the least bound of all cells, m, when the work is used up, or when half as much work
-  /// again has hardly raised it.
+  /// Returns the least bound of all cells, m, when the work is used up, or when an increase of the
+  /// work by half has hardly raised the bound.
   double run(int work, const Deadline& deadline) {
     double before = 0;
     for (double look = bound_tuning.first_look; spent() < work && !deadline.passed();) {
@@ -187,8 +187,8 @@ class TurnSearch {
   void refine(std::uint32_t i) {
     Node& n = nodes_[i];
     const CellSpread spread(n.cell);
-    // A witness found far away has lost the depth by which r was displaced; one found here may be
-    // much better.
+    // The bound of a witness that was found at a distant rotation is weaker by the displacement of
+    // r; a witness found at this cell may be much better.
     if (!n.queried && n.near[n.best].away > bound_tuning.from_afar * n.reach) {
       n.queried = true;
       find_witness(n, spread);

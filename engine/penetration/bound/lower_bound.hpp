@@ -11,9 +11,9 @@ namespace sonde {
 
 struct BoundOptions {
   /// Limit of the counted work; the same work gives the same bits. A cell of rotations costs 1, a
-  /// point's depth in both bodies 10. The search ends earlier if half as much work again raised the
-  /// bound by less than 2 %. More work brings the bound nearer to the best that single points can
-  /// prove ("How sharp the lower bound is" in resources/docs/understand/penetration.md).
+  /// point's depth in both bodies 10. The search ends earlier if an increase of the work by half
+  /// raised the bound by less than 2 %. More work brings the bound nearer to the best that single
+  /// points can prove ("How sharp the lower bound is" in resources/docs/understand/penetration.md).
   int work = 20'000;
   /// Whether the bound is of √PD_t, which is no lower, rather than √PD_g.
   bool translations = false;
@@ -25,7 +25,8 @@ struct BoundOptions {
 /// A certified lower bound of the depth √PD_g (PD_g is in m², the depth and this bound in m) of
 /// probe A at X_FM against B, rounded down. A point at depth a in A and depth b in B (negative
 /// outside) must be displaced by a + b, whatever the motion. Cells cover the rotations; in each
-/// cell, the most useful point bounds how far the centre of mass must move besides. Where points
+/// cell, the point that gives the largest bound determines how far the centre of mass must move in
+/// addition to the turn. Where points
 /// prove little, as in thin bodies and surfaces, curves on one surface that pierce the other one
 /// (Crossing) may prove more. No value if both bodies are surfaces and no such curve was found; 0
 /// if otherwise nothing was found (or nothing before the deadline). The proofs are in "Lower bound"

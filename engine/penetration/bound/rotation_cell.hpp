@@ -37,10 +37,12 @@ struct RotationCell {
   std::array<RotationCell, 2> halves(int component) const;
 };
 
-/// G with |R r − p|² = qᵀGq / qᵀq for the turn R of a quaternion q = (w, x, y, z); m² for m.
+/// G with |R r − p|² = qᵀGq / qᵀq for the turn R of a quaternion q = (w, x, y, z). In m² if r and p
+/// are in m.
 Eigen::Matrix4d distance_form(const Vec3& r, const Vec3& p);
 
-/// How far the turns of a cell move points from where its middle takes them.
+/// Bounds how far the rotations of a cell displace a point from its position under the rotation at
+/// the cell's middle.
 class CellSpread {
  public:
   explicit CellSpread(const RotationCell& cell);

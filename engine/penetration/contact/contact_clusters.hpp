@@ -23,13 +23,15 @@ ContactClusters contact_clusters(const ContactSet& contacts, double radius) noex
 double share_of_force(const Contact& contact, const ContactClusters& all) noexcept;
 
 /// Keeps the ids of clusters from tick to tick. A cluster takes the id of a cluster of the last
-/// tick if the two belong together as contacts do, seen from the probe or from the fixed body. So a
+/// tick if the two satisfy the criterion for two contacts of one cluster. Their points and normals
+/// are compared both in the probe's frame and in the fixed body's frame; one match suffices. So a
 /// corner that slides over triangles keeps its id, and so does an edge that slides over a corner.
 /// The nearest clusters are matched first. A cluster without a match gets a new id; no id is given
 /// twice. Never allocates.
 class ClusterIds {
  public:
-  /// Gives ids to the clusters of a probe of the given radius, m, separated to X_FM.
+  /// Sets the ids of the clusters of one separation. `X_FM` is the separated pose, `radius` (m) the
+  /// probe's radius.
   void follow(const Pose& X_FM, double radius, ContactClusters& clusters) noexcept;
   /// Call it before clusters that are unrelated to the previous ones.
   void forget() noexcept { last_.size = 0; }

@@ -15,48 +15,52 @@
 
 namespace sonde {
 
-/// The contacts near a free pose as linear inequalities (rows) on y. The least-distance problem
-/// consists of these rows.
+/// Linearises the contacts near a free pose. Each contact gives a row: a linear inequality on y,
+/// the probe's coordinates in a chart. The rows are the constraints of the least-distance problem.
 ///
 /// gather() makes rows of the nearest pairs of triangles. Where surfaces lie on each other, many
 /// pairs have the same gap, and the nearest few may all belong to one corner. So these rows are a
-/// first guess. cut() completes them: it checks the end of a step that the rows allow against all
-/// pairs, and makes rows of the pairs that are in the way. The caller solves again and repeats this
-/// until no pair is in the way (cutting planes; J. E. Kelley, 1960). An optimum of some of the
-/// constraints that satisfies all of them is the optimum of all of them, so it does not matter
-/// which rows are missing. Where there is no room for more rows, the step ends where its sweep
-/// ends. Pairs that cut a step short, or that held an answer, are kept for the next gather.
+/// first guess. cut() completes them: it tests the pose at the end of a step that the rows allow
+/// against all pairs, and adds rows for the pairs that obstruct the step. The caller solves again
+/// and repeats this until no pair obstructs the step (cutting planes; J. E. Kelley, 1960). If the
+/// optimum for some of the constraints satisfies all of them, it is also the optimum for all of
+/// them, so the rows that are still missing do not matter. If there is no room for more rows, the
+/// sweep decides how far the step goes. Pairs that obstructed a step, or that were active in a
+/// solution, are kept for the next gather.
 ///
 /// Each direction that separates two triangles gives a half-space in which they stay apart. The
-/// direction of their closest points is not the best one for every pair: beside a convex contact
-/// it forbids sliding by more than half of the pair's offset. So gather() takes the nearest pair
-/// first. A later pair takes over the normal of a nearer row if that normal separates it too, and
-/// if a path that the pair is in the way of meets it no sooner along that normal than along its
-/// own. The pair gets no row if the row would then add nothing.
+/// direction of their closest points is not the best one for every pair: beside a convex contact it
+/// forbids sliding by more than half of the pair's offset from the contact. So gather() processes
+/// the pairs in the order of their gaps, the nearest first. A later pair uses the normal of an
+/// earlier row if that normal separates its triangles too. For a pair that obstructs a path there
+/// is a second condition: on that path, its gap along the earlier row's normal must not close
+/// sooner than along its own normal. A pair gets no row if an existing row already implies it.
 class ContactRows {
  public:
   /// How many pairs of triangles are gathered, and how many a neighbour list may hold.
   struct Finding {
     /// A gather makes rows of at most this many pairs, the nearest. cut() finds the others.
     std::size_t most_pairs = contact_tuning.most_pairs;
-    /// Pairs of a list that is kept from one gather to the next. 0: there is no list.
+    /// Capacity, in pairs, of the neighbour list that is kept from one gather to the next. 0: there
+    /// is no list.
     std::size_t most_listed = NeighbourList::enough;
   };
   static constexpr std::size_t capacity = contact_tuning.most_rows;
   ContactRows(const Body& probe, const Body& fixed, Method method, const Finding& finding);
 
-  /// Adds the time of looks, solutions and sweeps to `times` from now on; null: to nothing.
+  /// From now on, adds the time spent on geometry queries, least-distance problems and sweeps to
+  /// `times`. Null: records no times.
   void time_into(PhaseTimes* times) noexcept { times_ = times; }
-  /// Keeps y in a subspace, onto which `onto` projects (6 × 6, symmetric), from now on. The y that
-  /// it is asked about must lie there.
+  /// From now on, restricts y to the subspace onto which `onto` (6 × 6, symmetric) projects. Every
+  /// y passed to this object must lie in that subspace.
   void stay_within(const Mat6& onto) { onto_ = onto; }
   /// Drops all rows, kept pairs and lists. Call it before a pose that is unrelated to the last one.
   void forget() noexcept;
 
-  /// Replaces the rows by those of the pairs within `reach` (m) of each other at y, or of the
-  /// nearest of them where there are too many. A pair with a gap of at most `flat` (m) gives a row
-  /// for each corner of the part in which its triangles overlap, not for one point alone. Returns
-  /// false, with the old rows unchanged, if the effort ran out.
+  /// Replaces the rows by those of the pairs of triangles that are within `reach` (m) of each other
+  /// at y. If there are too many such pairs, only the nearest give rows. A pair with a gap of at
+  /// most `flat` (m) gives a row not only for its closest points, but also for each corner of the
+  /// overlap of its triangles. Returns false, with the old rows unchanged, if the effort ran out.
   bool gather(const Chart& chart, const Vec6& y, double reach, double flat,
               Effort& effort) noexcept;
   void gather(const Chart& chart, const Vec6& y, double reach, double flat) noexcept {
@@ -64,44 +68,46 @@ class ContactRows {
     gather(chart, y, reach, flat, unlimited);
   }
 
-  /// Expresses the contacts of the last gather as rows in another chart, without a look at the
+  /// Expresses the contacts of the last gather as rows in another chart, without a query of the
   /// geometry. y is the probe's pose in that chart. Returns false if that is not the pose of the
   /// last gather, or if the last gather did not finish.
   bool reuse_rows(const Chart& chart, const Vec6& y) noexcept;
 
-  /// Moves the points on the probe, of all contacts, with the probe to y, and makes rows of them.
-  /// This is for a tick without enough effort for a gather.
+  /// Moves the probe's point of every contact with the probe to y, and makes the rows again from
+  /// these contacts. For a tick whose effort does not suffice for a gather.
   void move_rows_with_probe(const Chart& chart, const Vec6& y) noexcept;
 
-  /// Halves the reach of the next gather, but keeps at least `least` (m). Call it after a gather
-  /// that took too much work. Each gather that fits lets the reach grow again.
+  /// Limits the reach of the next gather to half of the last one's, but to no less than `least`
+  /// (m). Call it after a gather that took too much work. Each later gather whose pairs fit raises
+  /// the limit again.
   void halve_next_reach(double least) noexcept {
     reach_limit_ = std::max(contact_tuning.crowded_to * asked_, least);
   }
 
-  /// Sweeps the probe along a motion (sweep.hpp). It looks at the pairs of the neighbour list if
-  /// that list covers the motion, and otherwise at the trees of the bodies.
+  /// Sweeps the probe along a motion (sweep.hpp). It examines the pairs of the neighbour list if
+  /// that list covers the motion, and otherwise traverses the trees of the bodies.
   Sweep sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept;
 
-  /// Spends what a tick leaves of a limited effort on the next neighbour list.
+  /// Works on the next neighbour list with the part of a limited effort that the tick has not used.
   void prepare_next_list(Effort& effort) noexcept;
 
   /// Result of cut() at the end of a path.
   struct PathCheck {
     bool news = false;  ///< cut() added rows
-    double lost = 0;    ///< m: the most that one pair would lose of min(its gap now, margin)
-    bool clear = true;  ///< no pair is in the way; false also if the effort ran out
+    double lost = 0;    ///< m: largest loss of a pair: min(gap now, margin) − gap at the end
+    bool clear = true;  ///< no pair obstructs the path; false also if the effort ran out
   };
-  /// Checks the end of `motion`, a path from the pose of the last gather, which is y. A pair is in
-  /// the way if its gap there is below 95 % (ContactTuning::kept_share) of min(its gap now,
-  /// `margin`). Adds rows of the pairs in the way: of the 48 deepest at most
+  /// Checks the pose at the end of `motion`, a path that begins at y, the pose of the last gather.
+  /// A pair obstructs the path if its gap at the end is below 95 % (ContactTuning::kept_share) of
+  /// min(its gap at y, `margin`). Adds rows for the obstructing pairs, at most for the 48 deepest
   /// (ContactTuning::most_cut).
   PathCheck cut(const Chart& chart, const Vec6& y, const Motion& motion, double margin,
                 Effort& effort) noexcept;
 
-  /// Replaces the direction of each row that holds a solution, but whose pair is not near, by the
-  /// pair's own direction: a direction taken over from another row may be a wall where there is
-  /// none. Returns whether it replaced any; then the solution is no longer valid.
+  /// Looks for active rows of a solution whose pair of triangles is in fact far apart, and replaces
+  /// their normal by the direction of the pair's own closest points: a normal taken over from
+  /// another row may forbid motions that the pair does not obstruct. Returns whether any row
+  /// changed; the solution is then no longer valid.
   bool replace_far_rows(const Chart& chart, const Vec6& y, const LeastDistance& nearest,
                         double margin) noexcept;
 
@@ -116,7 +122,8 @@ class ContactRows {
   Contact contact(int row) const { return contacts_[static_cast<std::size_t>(row)]; }
   /// The contacts that are active in a solution, with their multipliers.
   ContactSet holding(const LeastDistance& nearest) const noexcept;
-  /// Jᵀλ of these contacts: the solution's y without the part that the rim of the chart holds.
+  /// Jᵀλ of these contacts: the solution's y less the contribution of the row that stands for the
+  /// rim of the chart.
   Vec6 held_by_contacts(const LeastDistance& nearest) const noexcept;
   int size() const { return static_cast<int>(count_); }  ///< number of rows
   /// True if there is no room for another row.
@@ -130,13 +137,15 @@ class ContactRows {
     std::uint32_t a, b;
     bool operator==(const TrianglePair&) const = default;
   };
-  /// The point of the probe about which the last contacts move least, in its mesh frame: their
-  /// middle, if the probe rolls on them, or the centre of mass, if it turns within them.
+  /// The point, in the probe's mesh frame, about which motions are measured: the mean of the last
+  /// contacts or the centre of mass, whichever gives the smaller bounds of the contacts' motion on
+  /// the recent course. It is the mean if the probe rolls on the contacts, the centre of mass if
+  /// the probe turns within them.
   Vec3 least_moving_point(const Transform& X) const noexcept;
-  /// m: a list that is made for a reach covers this much on all of its path.
+  /// m: the reach that a list made for `reach` covers on all of its path.
   double near_of(double reach) const noexcept { return std::max(reach, 2 * least_asked_); }
-  /// Finds the pairs within `reach` (m), or within the reach of the list if that is at least
-  /// `least` (m).
+  /// Finds the pairs within `reach` (m) of each other. If the neighbour list has a smaller reach,
+  /// but at least `least` (m) and a share of `reach`, that smaller reach is used.
   NearPairs find_pairs(const Transform& X, double reach, double least, Effort& effort) noexcept;
   void accept(const Contact& contact, const TrianglePair& of) noexcept;
   void keep(const TrianglePair& pair) noexcept;
@@ -144,10 +153,11 @@ class ContactRows {
   /// forgets the other kept pairs. Returns the number of pairs with the new ones.
   std::size_t add_kept(const Transform& X, double reach, std::size_t count) noexcept;
   bool is_news(const Contact& contact) const noexcept;
-  /// `end`: the end of the path that the pair is in the way of; null: no path is known.
+  /// `end`: the pose at the end of the path that the pair obstructs; null: no path is known.
   void take(const NearPair& pair, const Transform& X, double flat,
             const Transform* end = nullptr) noexcept;
-  /// Makes rows of the contacts from index `from` up to `to`, in the chart at y, and the rim's row.
+  /// Makes rows of the contacts from index `from` up to `to`, in the chart at y, and the row of the
+  /// chart's rim.
   void linearise(const Chart& chart, const Vec6& y, std::size_t from = 0,
                  std::size_t to = capacity) noexcept;
 
@@ -164,13 +174,13 @@ class ContactRows {
   std::vector<double> at_;  // J·y of each row
   std::vector<Violation> violations_;
   std::vector<TrianglePair> pair_of_;  // of each row
-  /// Pairs that held an answer or cut a step short, the newest last. Every gather looks at them,
-  /// however many other pairs are as near.
+  /// Pairs that were active in a solution or obstructed a step, the newest last. Every gather
+  /// examines them, however many other pairs are as near.
   std::vector<TrianglePair> kept_;
   std::size_t kept_count_ = 0;
   std::size_t count_ = 0;
-  // m: no gather looks further. It falls where a reach holds more pairs than there is room for, and
-  // grows again from gather to gather.
+  // m: limit of the reach of a gather. It falls after a gather that found more pairs than there is
+  // room for, and grows again from gather to gather.
   double reach_limit_;
   double least_asked_ = 0;  // m: the least reach that suffices for the last gather
   double asked_ = 0;        // m: the reach that the last gather asked for
@@ -179,7 +189,7 @@ class ContactRows {
   Transform X_;            // of the last gather
   bool gathered_ = false;  // false: the last gather ran out of effort, or there was none
   PhaseTimes* times_ = nullptr;
-  double turn_ = 0;  // rad: the turn that a step as long as the reach may make
+  double turn_ = 0;  // rad: largest expected turn of the next step
 };
 
 }  // namespace sonde

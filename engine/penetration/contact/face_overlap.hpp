@@ -16,10 +16,10 @@ struct FaceOverlap {
   const Contact* end() const { return corners.data() + size; }
 };
 
-/// Where two triangles lie nearly flat on each other, their closest points are one pair of many,
-/// and a turn brings other pairs together. The gap along `normal` (from B to A) is linear over the
-/// overlap, so the corners of the overlap describe all of it. Empty where B is seen edge on, or
-/// where nothing overlaps.
+/// If two triangles lie nearly flat on each other, many pairs of points are about equally close,
+/// and after a small turn another pair is the closest. The gap along `normal` (from B to A) is
+/// linear over the overlap, so the corners of the overlap describe all of it. Empty where B is seen
+/// edge on, or where nothing overlaps.
 FaceOverlap face_overlap(const Corners& a, const Corners& b, const Vec3& normal);
 
 }  // namespace sonde

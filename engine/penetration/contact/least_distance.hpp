@@ -21,7 +21,7 @@ struct LeastDistance {
   std::array<int, 6> active{};         ///< indices of the rows that hold y
   std::array<double, 6> multiplier{};  ///< in the unit of y per unit of the normals
   int active_count = 0;
-  bool feasible = true;  ///< false: the half-spaces have no common point (y is of no use)
+  bool feasible = true;  ///< false: the half-spaces have no common point, and y is meaningless
 };
 
 /// min |y|² subject to the rows, by the dual active-set method of Goldfarb and Idnani (1983). With
@@ -31,7 +31,8 @@ struct LeastDistance {
 ///
 /// `start`: rows that are probably active, because they were in a similar problem. If they are
 /// independent and have positive multipliers, the search begins there instead of at the origin. The
-/// answer is the same to rounding, and the fewer of them are wrong, the sooner it is found.
+/// answer is the same to rounding. The fewer of these rows are inactive at the solution, the fewer
+/// iterations are needed.
 LeastDistance least_distance(std::span<const HalfSpace> rows, double tolerance,
                              std::span<const int> start = {});
 

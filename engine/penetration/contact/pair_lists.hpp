@@ -21,7 +21,7 @@ class PairLists {
   /// A list holds at most `capacity` pairs. 0: there are no lists.
   PairLists(const Body& probe, const Body& fixed, std::size_t capacity);
 
-  /// Clears both lists, the recent course and what was learned of costs.
+  /// Clears both lists, the recent course and the learned costs of lists.
   void forget() noexcept;
   /// The list in use. Before a query on it, check reach_at() or covers().
   NeighbourList& serving() noexcept { return lists_[serving_]; }
@@ -41,12 +41,12 @@ class PairLists {
   struct Wanted {
     double reach_at_end = 0;      ///< m: at the end of the path
     double reach_on_path = 0;     ///< m: on all of the path, if there is room for so many pairs
-    double reach_acceptable = 0;  ///< m: a list that was made in advance is used if it has this
+    double reach_acceptable = 0;  ///< m: a list made in advance is used if its reach exceeds this
     Vec3 centre = Vec3::Zero();   ///< motions are measured about this point, probe's mesh frame
     Path path;
   };
-  /// Replaces the list in use by one that covers what is wanted from X on: by the one made in
-  /// advance if that is acceptable, else by a new one. Does nothing if the path is so long that a
+  /// Replaces the list in use by one that covers `wanted` from X on: by the list made in advance if
+  /// its reach is acceptable, otherwise by a new one. Does nothing if the path is so long that a
   /// list would cost more than it saves. If the effort runs out, the next calls continue.
   void renew(const Transform& X, const Wanted& wanted, Effort& effort) noexcept;
   /// Works on the next list at the end of a tick. Continues one that was begun. Otherwise begins

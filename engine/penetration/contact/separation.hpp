@@ -16,8 +16,8 @@ namespace sonde {
 /// The motions that a search considers: all six degrees of freedom (pdg), or translations only
 /// (pdt).
 enum class Method { pdg, pdt };
-/// Outcome of a query: the given pose is free (separated); it is not, and the nearest free pose is
-/// given (penetrating); or there is no answer, only a reason (failed).
+/// Outcome of a query. separated: the given pose is free. penetrating: it is not free, and the
+/// answer holds the nearest free pose. failed: there is no answer, only a reason.
 enum class Status { separated, penetrating, failed };
 
 /// The words for the methods in files and on the command line, in the order of the enum.
@@ -26,7 +26,7 @@ inline constexpr std::array<const char*, 2> method_names{"pdg", "pdt"};
 constexpr const char* name_of(Method method) {
   return method_names[static_cast<std::size_t>(method)];
 }
-/// The method of a word; no value for any other word.
+/// The method that a word names; no value if the word names none.
 constexpr std::optional<Method> method_named(std::string_view word) {
   for (const Method method : {Method::pdg, Method::pdt})
     if (word == name_of(method)) return method;
@@ -115,7 +115,7 @@ struct Separation {
   double depth = 0;        ///< √σ, m
   double translation = 0;  ///< |t|, the part of √σ from the displacement of the centre of mass, m
   double rotation = 0;     ///< 2√(vᵀÎv), the part of √σ from the rotation, m
-  ContactSet contacts;     ///< what holds the separated pose, in F; none out of contact
+  ContactSet contacts;     ///< the contacts that hold Q, in F; empty out of contact
   ContactClusters clusters;  ///< of the contacts
   double residual = 0;       ///< |y − Jᵀλ| / |y|, 0 where y = 0
   int iterations = 0;        ///< linearise-solve-advance steps taken
@@ -123,27 +123,28 @@ struct Separation {
   /// descent first: its budget, steps without progress, no room for more rows, or the rim of the
   /// chart.
   bool converged = false;
-  /// Number of limits that acted: on rows (a step was cut short), on checks of rows, on fruitless
-  /// steps, or the rim of the chart, in a tick or in all descents of a search; one more if a search
-  /// ended at its maximum number of starts without evidence that it was done. The result is
-  /// verified in any case.
+  /// Number of limits that acted in a tick, or in all descents of a search: the maximum number of
+  /// rows (a step was cut short), of checks of a path, or of steps without progress, or the rim of
+  /// the chart. One more is counted if a search made its maximum number of starts without evidence
+  /// that it has found the optimum. The result is verified in any case.
   int limited = 0;
   /// Coherent only: the force is discontinuous here. After a reset, Q was found by a search, not
-  /// along a path. In a tick, the held pose was no longer an optimum, and the path swept free led
-  /// to another place: the depth fell by more than the device moved, or more steeply on a part of
-  /// the way (with translation only: by more than any point of the device moved). True in each tick
-  /// of a fall that takes several.
+  /// along a path. In a tick, the last separated pose was no longer a local optimum, and the path
+  /// swept free led to a different one: the depth fell by more than the device moved, or on a part
+  /// of the path more steeply than the device's motion explains (with translation only: by more
+  /// than any point of the device moved). If the fall takes several ticks, true in each of them.
   bool jumped = false;
-  /// m², coherent only: the part of σ that a tick that jumped neither stored nor gave back to the
-  /// hand; the energy released is ½ k times that. 0 in any other tick.
+  /// m², coherent only: in a tick that jumped, the part of σ that is no longer stored in the
+  /// coupling and was not returned to the hand either. The energy lost is ½ k times that. 0 in any
+  /// other tick.
   double released = 0;
-  /// Static only: the way out is long compared with the overlap: the depth is over 2.5 times the
-  /// depth of a sketch's deepest point (SearchTuning::narrow). A shorter way may be so narrow that
-  /// few starts come near it, so the error stated for such an answer is wider (AccuracyCurve).
-  /// False if there are no sketches.
+  /// Static only: the separating motion is long compared with the overlap: the depth is over 2.5
+  /// times the depth of a sketch's deepest point (SearchTuning::narrow). A shorter separating
+  /// motion may exist through a gap so narrow that few starts come near it, so the error stated for
+  /// such an answer is larger (AccuracyCurve). False if there are no sketches.
   bool far_out = false;
   std::optional<double> lower_bound;  ///< a certified lower bound of the depth, m
-  /// Static only: the translational depth that the search found on the way, m: PD_t if nothing
+  /// Static only: the translational depth, m, an intermediate result of the search: PD_t if nothing
   /// limits the search, otherwise an upper bound of it. None if the time ran out before that.
   std::optional<double> pdt;
   /// Static only: the distance of the bodies, if it was asked for and the pose is free.
