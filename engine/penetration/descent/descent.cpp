@@ -24,7 +24,7 @@ double part_to_rim(const Vec3& from, const Vec3& to, double limit) {
 
 /// Limits the turn of a step. A step that would leave the chart ends at the rim, where the rim is a
 /// row. A step from the rim itself slides along it, to the rim point in the direction of its end;
-/// other rows may not hold on that way.
+/// other rows may be violated on that path.
 Vec6 within_chart(const Chart& chart, const Vec6& y, const Vec6& step) {
   const double turn = chart.v(step).norm();
   Vec6 bounded = std::min(1.0, descent_tuning.largest_turn / std::max(turn, 1e-30)) * step;
@@ -42,7 +42,8 @@ bool at_rim(const Chart& chart, const Vec6& y) {
   return chart.v(y).norm() > (1 - 1e-6) * Chart::largest_v;
 }
 
-/// m²: the part of ½|y|² lost along a way where it falls more steeply than `slope` (m).
+/// m²: the decrease of ½|y|² from y along the straight motion `way`, where it falls more steeply
+/// than `slope` (m).
 double fallen(const Vec6& y, const Vec6& way, double slope) {
   const double length = way.norm();
   const double steeper = length > 0 ? -y.dot(way) / length - slope : 0;
@@ -94,7 +95,8 @@ struct Descent::Pace {
   /// step.)
   double longest = std::numeric_limits<double>::max();
   /// m: limit of the damped step. Obstacles are still searched for up to the end of the undamped
-  /// step: there lie the missing rows whose absence lets the steps oscillate.
+  /// step: the rows that are missing, and whose absence makes the steps oscillate, belong to
+  /// obstacles there.
   double damped_to = std::numeric_limits<double>::max();
   /// m: |y| never rises above this.
   double ceiling = std::numeric_limits<double>::max();
@@ -102,7 +104,7 @@ struct Descent::Pace {
   Vec6 wanted = Vec6::Zero();  ///< the last step, before damping
   double went = 0;             ///< m: the distance it moved
   int returns = 0;             ///< number of consecutive steps that turned back
-  int stalled = 0;             ///< number of consecutive steps that led nowhere
+  int stalled = 0;             ///< number of consecutive steps without progress
 
   /// Steps that undo each other straddle a sharp edge. The wanted step changes about linearly from
   /// pose to pose, so it vanishes between the last pose and this one, and the step ends there
@@ -201,7 +203,8 @@ std::optional<Vec6> Descent::turned_by_rows(const Chart& chart, const Vec6& y) n
 
 void Descent::approach_contact(const Chart& chart, double margin, Effort& effort,
                                Outcome& out) noexcept {
-  // In pieces: the bound of how far a path with a large turn bends is too loose for one long sweep.
+  // Sweeps in pieces: for one long sweep with a large turn, the bound of the path's curvature is
+  // too loose.
   const auto pieces = static_cast<int>(1 + chart.v(out.y).norm() / descent_tuning.largest_turn);
   const Vec6 piece = out.y / pieces;
   Vec6 near = out.y;
@@ -241,8 +244,8 @@ class Descent::Run {
   }
 
   Outcome descend() noexcept {
-    // At the end of the last run its rows are still valid and give the first step; most ticks go on
-    // from there.
+    // If the run starts at the pose at which the last run ended, the rows are still valid and give
+    // the first step. This is so in most ticks.
     bool known = rows_.reuse_rows(chart_, y_);
     while (look_around(known) && !is_at_end() && advance()) known = false;
     return out_;

@@ -19,11 +19,11 @@ double allowed_clearance(double radius, double depth);
 struct DescentGoal {
   double residual = 1e-4;  ///< |y − Jᵀλ| / |y|
   int steps = 60;          ///< maximum number of iterations
-  /// m: a run whose effort has no limit gets one, `work_when_far`, when it has come this far from
-  /// its start. 0: it has none however far it goes.
+  /// m: if the effort of a run has no limit, it is limited to `work_when_far` as soon as the run is
+  /// this far from its start. 0: it stays unlimited, however far the run goes.
   double far = 0;
-  std::int64_t work_when_far = 0;  ///< in units of Effort, from there on
-  double held_slope = 0;  ///< m: a path down a slope of ½|y|² up to this is not `fallen` (Outcome)
+  std::int64_t work_when_far = 0;  ///< units of Effort, from there on
+  double held_slope = 0;  ///< m: loss of ½|y|² no steeper than this is not `fallen` (Outcome)
 };
 
 /// Local optimisation on the contact space, from a free pose. Each step linearises the near pairs
@@ -34,10 +34,11 @@ struct DescentGoal {
 /// the depth. The object holds its workspace: run() never allocates.
 class Descent {
  public:
-  /// The gap at which a descent aims, as a share of the allowed clearance. The gap at which the
-  /// probe ends depends on its path, and this costs energy while it follows a hand. With a half, a
-  /// peg in its hole loses 0.2 % of the energy stored in a loop. With a quarter it loses less than
-  /// 0.1 %, except where it leaves a place, and takes as many steps. A half is enough for a search.
+  /// The gap at which a descent aims, as a share of the allowed clearance. The gap that the probe
+  /// has at the end of a run depends on its path, so a probe that follows a hand around a closed
+  /// path loses energy. With a half, a peg in its hole loses 0.2 % of the stored energy per loop.
+  /// With a quarter, it loses less than 0.1 %, except where it leaves a local optimum, and takes as
+  /// many steps. A half is enough for a search.
   static constexpr double gap_of_search = 0.5, gap_of_follower = 0.25;
 
   Descent(const Body& probe, const Body& fixed, Method method,
@@ -51,16 +52,16 @@ class Descent {
     double fallen = 0;  ///< m²: part of ½|y|² lost where it fell more steeply than held_slope
     int iterations = 0;
     bool converged = false;
-    /// Number of limits that acted: on checks of a path or on fruitless steps (DescentTuning), on
-    /// rows (no room for more), or an end at the rim of the chart.
+    /// Number of limits that acted: the maximum number of checks of a path or of steps without
+    /// progress (DescentTuning), no room for more rows, or an end at the rim of the chart.
     int limited = 0;
 
     void move_to(const Vec6& to) noexcept;
   };
 
-  /// Adds the times of phases to `times` from now on; null: to nothing.
+  /// From now on, adds the time spent in each phase to `times`. Null: records no times.
   void time_into(PhaseTimes* times) noexcept { rows_.time_into(times); }
-  /// Keeps all poses in a subspace (ContactRows::stay_within). Runs must begin in it.
+  /// Restricts all poses to a subspace (ContactRows::stay_within). Runs must begin in it.
   void stay_within(const Mat6& onto) { rows_.stay_within(onto); }
   /// Drops rows and lists. Call it before a run that is unrelated to the last one.
   void forget() noexcept;
@@ -70,21 +71,23 @@ class Descent {
   /// steps, and takes at least one step.
   Outcome run(const Chart& chart, const Vec6& y, const DescentGoal& goal, double expected_step,
               const Deadline& deadline) noexcept;
-  /// The same with an effort, which may end anywhere, also within the first step. The path is free
-  /// up to the pose at which the run stopped. That pose may touch nothing. Its contacts are the
-  /// last ones found on the way. If the effort did not suffice to find any, they are those of the
-  /// run before, moved with the probe.
+  /// The same with a limited effort, which may run out at any point, even within the first step.
+  /// The path is free up to the pose at which the run stopped, but the probe need not touch
+  /// anything there. The contacts of the outcome are the last ones found on the path. If the effort
+  /// did not suffice to find any, they are those of the previous run, moved with the probe.
   Outcome run(const Chart& chart, const Vec6& y, const DescentGoal& goal, double expected_step,
               Effort& effort) noexcept;
 
-  /// Spends what a run left of a limited effort on the next neighbour list.
+  /// Works on the next neighbour list with the part of a limited effort that a run has not used.
   void prepare_next_list(Effort& effort) noexcept { rows_.prepare_next_list(effort); }
 
-  /// Translation only: the point, by the rows of the last run's end, at which the probe comes to
-  /// rest when it turns with the device. No value if y is not the pose at which the last run ended.
+  /// Translation only: the y at which the probe comes to rest after it has turned with the device,
+  /// according to the rows from the end of the last run. No value if y is not the pose at which the
+  /// last run ended, or if the rows have no common point.
   std::optional<Vec6> turned_by_rows(const Chart& chart, const Vec6& y) noexcept;
 
-  /// Sweeps the probe from y straight to another point, with half of the gap that a run leaves.
+  /// Sweeps the probe from y straight to another point, with half of the gap that a run aims at as
+  /// the clearance.
   Sweep sweep_to(const Chart& chart, const Vec6& y, const Vec6& target, Effort& effort) noexcept;
 
  private:
@@ -93,8 +96,9 @@ class Descent {
   /// m: the gap at which the descent aims. It always exceeds the rounding of coordinates, which
   /// grows with the distance from the origin.
   double margin(const Chart& chart, double depth) const noexcept;
-  /// The step from y towards the nearest point of the rows, shortened to a length that pays. If
-  /// contacts bend into the path, the step stays `rise` (m) above the rows.
+  /// The step from y towards the solution of the rows, no longer than is worth sweeping. If
+  /// contacts bend into the straight path, the step keeps `rise` (m) more gap than the rows
+  /// require.
   Vec6 next_step(const Chart& chart, const Vec6& y, const LeastDistance& nearest, double margin,
                  double rise, const Pace& pace) noexcept;
   /// Moves a probe that stopped away from any contact straight towards the device pose, up to the
@@ -105,7 +109,7 @@ class Descent {
   ContactRows rows_;
   double gap_;           // the gap aimed at, as a share of the allowed clearance
   double extents_;       // m: sum of the largest coordinates of both bodies
-  double longest_path_;  // m: no path is longer, because a sweep of one took all of the effort
+  double longest_path_;  // m: limit of a path, set when a sweep used up the effort
 };
 
 }  // namespace sonde

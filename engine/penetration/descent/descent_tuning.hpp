@@ -10,15 +10,16 @@ namespace sonde {
 /// y unless a line gives another unit; R is the probe's radius.
 struct DescentTuning {
   // Each step
-  /// |Δv|, about half the angle, rad: beyond it, a linearised turn is of little use. A longer step
-  /// is shortened, which costs more steps but does not lose the way.
+  /// |Δv|, about half the angle, rad: beyond it, the linearisation of a turn is too inaccurate. A
+  /// longer step is shortened, which costs more steps but does not mislead the descent.
   double largest_turn = 0.3;
-  /// A step that leaves the chart slides along its rim if less than this share of it lies inside.
-  /// (On crumpled-soup one tick did not converge with 0.001 to 0.1, 189 with 0.5, and 178 when
-  /// every such step slid along the rim.)
+  /// A step that leaves the chart slides along its rim if less than this share of the step lies
+  /// inside. (On crumpled-soup, one tick did not converge with 0.001 to 0.1, and 189 with 0.5; 178
+  /// did not if every such step slid along the rim.)
   double least_way_to_rim = 0.1;
-  /// Number of times that a step is recomputed round obstacles on its path. After that a swept step
-  /// goes as far as it is free, and a leap is not taken; counted in Outcome::limited.
+  /// Maximum number of times that a step is recomputed to avoid obstacles on its path. After that,
+  /// a swept step goes as far as its path is free, and a leap is not made; this is counted in
+  /// Outcome::limited.
   int most_cuts = 6;
   /// 1/R: initial estimate of how strongly contacts bend into the path (κ).
   double first_bending = 0.5;
@@ -32,9 +33,9 @@ struct DescentTuning {
   double most_room = 0.8;
   /// Share of the step's squared length: least gain −y·step of a step that leaves room.
   double least_gain = 0.1;
-  /// In margins: contacts nearer than `crowded_gap` are moved away from, up to one margin, even if
-  /// |y| rises by up to `most_lift`. Otherwise the gaps, which shrink tick by tick, would finally
-  /// block every straight path.
+  /// In margins: if a contact is nearer than `crowded_gap`, the step moves the probe away from it,
+  /// up to one margin, even if |y| rises by up to `most_lift`. Otherwise the gaps, which shrink
+  /// tick by tick, would finally block every straight path.
   double crowded_gap = 0.5;
   double most_lift = 1;
   double less_room = 0.25;     ///< factor on the room if a step with that room gains too little
@@ -45,27 +46,29 @@ struct DescentTuning {
   double first_longest = 0.02;      ///< R: longer paths are expensive where surfaces slide
   double longest_per_expected = 8;  ///< times the expected step
   double longest_growth = 1.5;      ///< factor from step to step
-  /// Share of a path whose sweep used up the effort: longest next path.
+  /// Factor on the length of a path whose sweep used up the effort: the next path is no longer.
   double longest_after_giving_up = 0.25;
-  /// Cosine: two steps at a larger angle undo each other across a sharp edge.
+  /// Cosine of the angle between two consecutive steps: below it, the steps undo each other across
+  /// a sharp edge.
   double turns_back = -0.25;
-  /// Maximum number of consecutive secant steps: if more are needed, the wanted step is not linear.
+  /// Maximum number of consecutive secant steps: if more are needed, the wanted step is not a
+  /// linear function of the pose.
   int most_secants = 3;
 
-  // Where rows are looked for
+  // Reach of the search for rows
   double widest_reach = 0.03;  ///< R: gathering further costs more than it gains
   double reach_at_first = 2;   ///< times the expected step
-  double reach_later = 0.5;    ///< times the last step: the earlier rows still describe the rest
+  double reach_later = 0.5;    ///< times the last step: older rows still describe the rest
   double least_reach = 16;     ///< margins
   double flat_within = 4;      ///< margins: nearer pairs give the corners of their overlap as rows
 
   // The end
   double settled_gap = 1.9;     ///< margins: below it the probe touches; a descent aims at one
-  double touching_gap = 2;      ///< margins: above it the probe is moved up to its contacts
-  double off_in_margins = 0.2;  ///< margins: a shorter step cannot be felt
+  double touching_gap = 2;      ///< margins: above it the probe is moved into contact
+  double off_in_margins = 0.2;  ///< margins: a hand cannot feel a shorter step
   /// Consecutive steps without progress after which a descent ends; counted in Outcome::limited.
   int most_stalled = 4;
-  double nowhere = 1e-3;  ///< share of a margin, or of 1e-3 of the wanted step: no progress
+  double nowhere = 1e-3;  ///< of max(margin, 1e-3 of the wanted step): no progress
 };
 inline constexpr DescentTuning descent_tuning;
 

@@ -10,11 +10,11 @@
 
 namespace sonde {
 
-/// Whose contacts guide a leap: those of the outlines, or those of the bodies themselves, either
-/// the nearest few or many of them.
+/// The contacts that guide a leap: those of the bodies' outlines (roughly()), or those of the
+/// bodies themselves, made from the nearest few pairs or from many pairs.
 enum class Guide { outlines, few, many };
 
-/// When a descent by leaps has converged, and when it is given up.
+/// When a descent by leaps has converged, and when it gives up.
 struct LeapGoal {
   Guide guide = Guide::outlines;
   double tolerance = 0.02;  ///< share of |y|: shorter steps end the descent
@@ -25,16 +25,17 @@ struct LeapGoal {
 };
 
 /// Local optimisation for a search, where only the end pose counts. A leap goes from a free pose
-/// directly to the point nearest to the origin that the near contacts allow, or, if that is not
-/// free, a part of the way. The poses in between are not examined, which makes it fast. Each pose
-/// at which a leap ends is free (by overlap with doubt as contact), whatever the outlines are like.
+/// directly to the point nearest to the origin that the near contacts allow. If that pose is not
+/// free, the leap goes only a part of the distance. The poses in between are not examined, which
+/// makes a leap fast. Each pose at which a leap ends is free (by overlap with doubt as contact),
+/// whatever the outlines are like.
 class LeapDescent {
  public:
   LeapDescent(const Body& probe, const Body& fixed, Method method);
 
-  /// Adds the times of phases to `times` from now on; null: to nothing.
+  /// From now on, adds the time spent in each phase to `times`. Null: records no times.
   void time_into(PhaseTimes* times) noexcept;
-  /// Keeps all poses in a subspace (ContactRows::stay_within). Runs must begin in it.
+  /// Restricts all poses to a subspace (ContactRows::stay_within). Runs must begin in it.
   void stay_within(const Mat6& onto);
   /// Runs from the free pose at y in the chart of the device pose. The contacts and the residual
   /// are meaningful only if the bodies' own contacts guided it.
@@ -46,18 +47,19 @@ class LeapDescent {
   Vec6 pull_in(const Chart& chart, const Vec6& y, const Deadline& deadline = {}) const;
 
   /// Number of leaps so far that were cut short because there was no room for more rows, or because
-  /// the maximum number of checks was reached. Neither makes an end pose converged: only the rows
-  /// that hold it do.
+  /// the maximum number of checks was reached. This does not affect whether an end pose counts as
+  /// converged: that depends only on the rows that hold it.
   int limited() const { return limited_; }
 
  private:
   struct Pace;
   ContactRows& rows(Guide guide);
-  /// Moves y towards the nearest point of the rows, as far as that is free. Returns false if no
-  /// part of the way was found free, or if the time ran out.
+  /// Moves y towards the solution of the rows: to it, or to a free pose on a part of the distance.
+  /// Returns false if it found no free pose, or if the time ran out.
   bool leap(const Chart& chart, const LeastDistance& nearest, double margin, ContactRows& rows,
             Pace& pace, Vec6& y, const Deadline& deadline);
-  /// A free leap round the obstacles of the first leap, by rows of all of them (ContactRows::cut).
+  /// A leap to a free pose that avoids the obstacles of the leap `first`, with rows for all of
+  /// these obstacles (ContactRows::cut).
   std::optional<Vec6> detour(const Chart& chart, const Vec6& first, double margin,
                              ContactRows& rows, double trust, const Vec6& y,
                              const Deadline& deadline);

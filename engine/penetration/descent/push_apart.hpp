@@ -13,15 +13,15 @@
 
 namespace sonde {
 
-/// Finds a free pose near an overlapping one from the triangles that intersect: each pair is to be
-/// separated along the direction that needs the least displacement, out of the side of a solid at
-/// which it entered. This is a heuristic that fails for deep overlaps; but it finds its way into
-/// gaps and holes that are too narrow for random poses to hit and for sketches to resolve.
+/// Finds a free pose near an overlapping one from the triangles that intersect: it separates each
+/// pair along the direction that needs the least displacement and leads out of a solid on the side
+/// on which the triangle entered it. This heuristic fails for deep overlaps. But it reaches free
+/// poses in gaps and holes that are too narrow for random poses to hit and for sketches to resolve.
 class PushApart {
  public:
   PushApart(const Body& probe, const Body& fixed, Method method);
 
-  /// Adds the times of phases to `times` from now on; null: to nothing.
+  /// From now on, adds the time spent in each phase to `times`. Null: records no times.
   void time_into(PhaseTimes* times) noexcept { times_ = times; }
   /// A free pose (by overlap with doubt as contact) near y, in the chart of the device pose. Gives
   /// up if |y| reaches `farthest`, m.

@@ -12,16 +12,16 @@ class Refinement {
  public:
   Refinement(const Body& probe, const Body& fixed, Method method);
 
-  /// Adds the times of phases to `times` from now on; null: to nothing. The leaps have their own
-  /// time_into.
+  /// From now on, adds the time spent in each phase to `times`. Null: records no times. The leaps
+  /// have their own time_into.
   void time_into(PhaseTimes* times) noexcept { descent_.time_into(times); }
-  /// Keeps all poses in a subspace (ContactRows::stay_within). The leaps have their own
+  /// Restricts all poses to a subspace (ContactRows::stay_within). The leaps have their own
   /// stay_within.
   void stay_within(const Mat6& onto) { descent_.stay_within(onto); }
   /// Starts from the free pose at y. If the steps or the time run out, returns the nearest pose
-  /// reached, moved into contact as far as there is time. If its contacts are still unknown by
-  /// then, it is pulled in by overlap tests that begin within 0.1 ms, as far as another 0.1 ms
-  /// allows.
+  /// reached, moved into contact as far as the time allows. If the time has run out and no contact
+  /// of that pose is known yet, overlap tests move it nearer, for at most 0.1 ms, and a search for
+  /// its contacts takes about another 0.1 ms.
   Descent::Outcome run(const Chart& chart, const Vec6& y, LeapDescent& leaps, int steps,
                        const Deadline& deadline);
 

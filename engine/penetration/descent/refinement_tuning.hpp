@@ -20,22 +20,22 @@ struct RefinementTuning {
   Leaps second{1e-4, 30, 0.005};  ///< guided by many pairs
   /// Share of the time; the rest is for moving into contact.
   double share_for_leaps = 0.95;
-  /// Pairs that the rows of the swept descent are made of. A neighbour list would pay only for many
-  /// short steps; here there are few.
+  /// Maximum number of pairs from which the swept descent makes rows. It uses no neighbour list,
+  /// which would pay only for many short steps; here there are few.
   std::size_t most_pairs = 512;
-  /// Steps of the swept descent. A pose that has not converged by then (flat parts of hundreds of
-  /// triangles, where a step costs 1 ms) is no nearer by a thousandth after 60. The result says
-  /// that it has not converged.
+  /// Maximum number of steps of the swept descent. A pose that has not converged by then (on flat
+  /// parts of hundreds of triangles, where a step costs 1 ms) is not even a thousandth nearer after
+  /// 60 steps. The result then says that it has not converged.
   int most_swept = 20;
   double expected_step = 1e-3;  ///< share of |y|: expected distance of the end
-  /// Units of Effort, about 0.1 ms: cost of a gather and a sweep into contact, for a pose whose
+  /// Units of Effort, about 0.1 ms: limit of a gather and a sweep into contact, for a pose whose
   /// contacts are still unknown when the time has run out.
   std::int64_t last_look = 10'000;
-  /// µs: time limit of the overlap tests that pull such a pose in before, and, as a share of |y|,
-  /// the expected distance of its contacts after that. With these values, contacts are named on 239
-  /// to 241 of 244 poses in 1 ms, with a p99 of 1.30 to 1.41; with 0.008 on 236 to 241, with the
-  /// gather alone on 236 to 239 (1.26 to 1.31), and with a gather of three times the effort on 241
-  /// (1.43 to 1.55).
+  /// For the overlap tests that move such a pose nearer before the gather: their time limit (µs),
+  /// and, as a share of |y|, the expected distance of the contacts after them. With these values
+  /// and a budget of 1 ms, contacts are reported on 239 to 241 of 244 poses, with a p99 of 1.30 to
+  /// 1.41 ms. With 0.008 it is 236 to 241 poses; with the gather alone 236 to 239 (p99 1.26 to 1.31
+  /// ms); with a gather of three times the effort 241 (p99 1.43 to 1.55 ms).
   double us_of_last_pull = 100;
   double expected_after_pull = 0.004;
 };

@@ -9,7 +9,7 @@ namespace sonde {
 
 const char* fault_of(const Pose& X) noexcept {
   if (!X.p.allFinite() || !X.q.coeffs().allFinite()) return "the pose is not finite";
-  // Beyond the normal numbers a square has lost digits, or all.
+  // A square outside the range of normal numbers has lost some or all of its digits.
   if (!std::isnormal(X.q.squaredNorm()))
     return "the length of the pose's quaternion is 0, or beyond what can be computed with";
   return nullptr;

@@ -11,21 +11,21 @@
 
 namespace sonde {
 
-/// The descent of a search on the sketches of two bodies: points of each body must stay outside the
-/// distance field of the other. A whole descent costs about as much as one gather of the bodies'
-/// contacts, so many can be made; descents on the bodies themselves start only from their best
-/// ends.
+/// Local optimisation on the sketches of two bodies, for a search: the sketch points of each body
+/// must stay outside the distance field of the other. A whole descent costs about as much as one
+/// gather of the bodies' contacts, so a search can make many. It starts descents on the bodies
+/// themselves only from the best end poses.
 class SketchDescent {
  public:
   SketchDescent(const Sketch& probe, const Sketch& fixed, const MassProperties& fixed_mass);
 
-  /// Adds the times of descents to `times` from now on; null: to nothing.
+  /// From now on, adds the time spent on descents to `times`. Null: records no times.
   void time_into(PhaseTimes* times) noexcept { times_ = times; }
-  /// Tests with the few points whether none of them lies deeper than `deepest`, m. The group that
-  /// failed in the last call is tested first.
+  /// Whether none of the sketches' `few` points lies deeper than `deepest`, m, in the other body.
+  /// Tests the group that failed in the last call first.
   bool is_free(const Chart& chart, const Vec6& y, double deepest = 0);
 
-  /// m: depth of the deepest of all sketch points in the other body at y; 0 if none lies inside.
+  /// m: depth at y of the deepest of all sketch points in the other body; 0 if none lies inside.
   double depth_of_points(const Chart& chart, const Vec6& y);
 
   struct End {
@@ -48,7 +48,7 @@ class SketchDescent {
 
  private:
   struct Frame;
-  /// Result of the last look at a group.
+  /// Result of the last examination of a group.
   struct Known {
     double gap, seen;  ///< m: lower bound of its gaps; travelled_ at that time
   };

@@ -10,8 +10,8 @@ namespace sonde {
 /// search on the poses of `tests/reference/depths.csv` (`sonde-depths`). Lengths are in grid cells
 /// (`spacing()`) unless a line gives another unit.
 struct SketchDescentTuning {
-  /// Points that make rows, the nearest. Points beyond may enter the body, and act in the next
-  /// step.
+  /// Maximum number of points, the nearest, that give rows. Other points may enter the body; they
+  /// then give rows in the next step.
   std::size_t most_rows = 40;
   double solved_to = 1e-2;  ///< tolerated violation of a row
 
@@ -21,8 +21,8 @@ struct SketchDescentTuning {
   double trust_growth = 1.5;   ///< times the last step
   double trust_decay = 0.7;    ///< share of the last trust that is kept at least
   double reach = 0.4;          ///< share of the trust: points within it are examined
-  /// A part of a step is taken back if points lie deeper after it than this share of its length,
-  /// and than the least value.
+  /// A part of a step is taken back if, after it, a point lies deeper than `too_deep` times its
+  /// length and deeper than `too_deep_at_least`.
   double too_deep = 0.25;
   double too_deep_at_least = 0.1;
   double taken_back_to = 0.4;         ///< share of the step that is kept
@@ -37,7 +37,7 @@ struct SketchDescentTuning {
   double shortest = 0.02;         ///< shorter steps end a descent too
   double arrived_within = 0.25;   ///< a descent with points no deeper than this has arrived
   /// A descent may be given up after this many steps, if its depth exceeds the depth to beat by
-  /// this factor. The place that it would have reached is then lost.
+  /// this factor. The local optimum that it would have reached is then not found.
   int steps_before_hopeless = 2;
   double hopeless = 1.1;
 };
