@@ -54,7 +54,7 @@ class OneWay {
   /// n · R(s) w.
   Course of_turned(const Vec3& n, const Vec3& w) const;
   void add_roots(const Course& course, const Stretch& stretch, std::vector<double>& out) const;
-  /// A triangle of the probe, given at X_FM, at s.
+  /// A triangle of the probe at s; `a` is the same triangle at X_FM.
   Corners moved(const Corners& a, double s) const;
 
   Pose start_;

@@ -7,8 +7,9 @@
 
 namespace sonde {
 
-/// The nearest free pose found among those that the probe reaches from X_FM by sliding
-/// perpendicular to the normal and, if `turning`, by turning about it (separate_within.hpp).
+/// Searches for the nearest free pose among those that the probe reaches from X_FM by sliding
+/// perpendicular to the normal and, if `turning`, by turning about the normal
+/// (separate_within.hpp).
 /// @pre The bodies overlap, the normal is unit, and so is X_FM.q.
 /// @throws Cancelled if `progress` returns false.
 Separation planar_separation(const Pair& pair, const Pose& X_FM, const Vec3& normal_F, bool turning,

@@ -34,8 +34,8 @@ double far_enough(const Pair& pair, const Pose& X) {
          2 * (reach(pair.probe()) + reach(pair.fixed()));
 }
 
-/// The only contact at the end of a way. Its multiplier makes the part of its force along the way
-/// equal to y.
+/// The only contact at the end of the motion. Its multiplier makes the component of its force along
+/// the motion equal to y.
 Contact contact_at(const Pair& pair, const Chart& chart, const FirstFree& found) {
   const ClosestPoints points =
       closest_points(place(Transform(found.X_FM), corners(surface(pair.probe()), found.triangle_a)),

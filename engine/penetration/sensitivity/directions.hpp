@@ -9,9 +9,9 @@
 
 namespace sonde {
 
-/// Share of a row: if the held rows leave less of it, the rest is rounding.
+/// Share of a row's length: if less remains after projecting out the held rows, it is rounding.
 constexpr double row_dependent = 1e-6;
-/// In units of an average curvature of 1: no strict optimum is flatter.
+/// Least curvature of a strict optimum, in units in which the average curvature is 1.
 constexpr double flattest_optimum = 1e-9;
 
 /// An orthonormal basis: the directions of the held rows, and those that they leave free.

@@ -11,9 +11,10 @@
 namespace sonde {
 namespace {
 
-/// Share of a row: if the held rows leave no more of it free, they hold it too.
+/// Share of a row's length: if no more remains after projecting out the held rows, these hold the
+/// row too.
 constexpr double held_with_others = 1e-4;
-/// Share of the gap below which a row may be about to hold: a touching row has no larger gap.
+/// Share of find_weak's `gap`: a row with a larger gap does not touch.
 constexpr double touching = 1e-2;
 /// m: a motion that opens a row by 1 m and closes no other is no longer; a longer one is rounding.
 constexpr double longest_motion = 1e4;

@@ -27,9 +27,10 @@ struct HalfSigma {
 /// If a turn about a principal axis moves no mass, O takes over Q's turn about that axis.
 HalfSigma half_sigma(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ) noexcept;
 
-/// The pose nearest to O, near a given one, at which the probe rests on feature rows without a gap:
-/// a separation lies above it by its clearance. min U subject to the gaps ≥ 0, solved by an active
-/// set (least_distance) and Newton steps with the curvature of the active gaps.
+/// Finds the pose nearest to O, in the neighbourhood of a given pose, at which the probe rests on
+/// feature rows with zero gap. (The separated pose of a separation keeps a clearance from this
+/// pose.) min U subject to the gaps ≥ 0, solved by an active set (least_distance) and Newton steps
+/// with the curvature of the active gaps.
 class ExactOptimum {
  public:
   static constexpr std::size_t most_rows = FacingFeatures::capacity;
@@ -47,9 +48,10 @@ class ExactOptimum {
   double depth() const noexcept { return std::sqrt(at_.sigma); }
   const Vec6& wrench() const noexcept { return at_.wrench; }
 
-  /// Finds the weak rows, of which rounding or the clearance decides whether they hold: rows that
-  /// bear at most `push` (m, λ), and rows that bear nothing and are within `gap` (m), except those
-  /// that cannot open. Returns their number. Call it before the functions below.
+  /// Finds the weak rows: those for which rounding or the clearance decides whether they hold the
+  /// probe. They are the active rows with a multiplier λ of at most `push` (m) and the inactive
+  /// rows with a gap of at most `gap` (m), except those that cannot open. Returns their number.
+  /// Call it before the functions below.
   int find_weak(double push, double gap) noexcept;
 
   /// Derivatives with respect to O's motion.

@@ -30,10 +30,11 @@ class FacingFeatures {
   /// along the contact's normal. If larger features lie on each other, these are the corners of
   /// their common part. Returns the number of features found there, including known ones.
   int add_around(const Vec3& on_probe, const Vec3& on_fixed, const Vec3& normal) noexcept;
-  /// Adds features along whose own normal the triangles around these points are apart, whatever
-  /// that normal is, and also features that face each other only after the probe has moved by up to
-  /// the reach. Example: an edge across a corner where two other edges meet in a hollow rests on
-  /// both of those, but the clearance lets it hang above one of them, nearest to the corner.
+  /// Adds features of the triangles around these points whatever their normal is, provided that it
+  /// separates the triangles. Also adds features that face each other only after the probe has
+  /// moved by up to the reach. Example: an edge lies across a hollow corner, in which two other
+  /// edges meet. It rests on both of these, but the clearance lets it float above one of them, at
+  /// the point nearest to the corner.
   void add_hollow(const Vec3& on_probe, const Vec3& on_fixed, const Vec3& normal) noexcept;
   /// Adds the features of a pair of triangles along `normal` (unit, from the fixed body to the
   /// probe).

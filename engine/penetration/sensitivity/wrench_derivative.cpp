@@ -21,7 +21,7 @@ constexpr double reach_of_clearance = 4;
 /// 1e-4.)
 constexpr double most_off = 5e-3;
 constexpr std::size_t most_pairs = 1024;
-/// Further looks, each from the pose found by the last one.
+/// Maximum number of further searches for features, each from the pose found by the last one.
 constexpr int most_looks = 2;
 /// Share of the depth: a contact with a smaller multiplier may end immediately.
 constexpr double weak_push = 1e-4;
