@@ -28,21 +28,22 @@ constexpr double farthest = 1e9;
 /// R: if the device moves further than this in one tick, the motion counts as a jump.
 constexpr double jump_of_device = 0.25;
 /// Share of the allowed clearance: the largest gap of a probe in contact (twice the gap aimed at).
-/// A loss of depth within it is no fall.
+/// A loss of depth within it does not count as a fall.
 constexpr double gap_of_held = 2 * Descent::gap_of_follower;
 /// Factor on the device's motion. In a flat metric, the slope that a device motion causes equals
 /// its length; turns curve the metric, by a few per cent at the angles of one tick.
 constexpr double bend_of_metric = 1.1;
 /// Share of the product of the device's and the separated probe's motions. The energy of a tick is
 /// computed from the forces at its two ends, so a tick in which contacts come and go seems to
-/// release this much of σ. (A peg pressed onto the bottom of its hole: without it three more ticks
-/// jump, which do not at a quarter of the step; its real falls remain at every step.)
+/// release this much of σ. (For a peg pressed onto the bottom of its hole: without this tolerance,
+/// three more ticks count as jumps, which they do not if the steps of the device are a quarter as
+/// long. The real falls are found at every step length.)
 constexpr double bend_of_force = 0.1;
 /// Units of Effort, some 10 ns each: limit of a tick after such a jump, and of the rest of a tick
-/// in which the probe itself has come as far (a fall), if nothing else limits it. The long path
-/// that is then swept can pass all of the bodies (the longest fall on crumpled-soup: 184 ms
-/// without, 74 ms with this limit). The tick says that it has not converged and that a limit acted;
-/// the next ones continue, with the same limit.
+/// in which the separated probe itself has moved as far (a fall), if the caller sets no limit. The
+/// long path that is then swept can pass all of the bodies (the longest fall on crumpled-soup: 184
+/// ms without, 74 ms with this limit). The tick says that it has not converged and that a limit
+/// acted; the next ones continue, with the same limit.
 constexpr std::int64_t work_after_jump = 3'000'000;
 
 }  // namespace
@@ -72,8 +73,9 @@ struct CoherentSolver::State {
     last.reason = "not started";
   }
 
-  /// A probe with a spin of zero inertia may come back to O with another spin than the device's. If
-  /// O itself is not free, the answer is the pose reached, at depth 0.
+  /// If a rotation about an axis has zero inertia, the probe may come back to O with another angle
+  /// about that axis than the device. If O itself is then not free, the answer is the pose reached,
+  /// at depth 0.
   void keep_spin(const Chart& chart) noexcept {
     if (probe.mass.inertia.minCoeff() > 0 || last.status != Status::separated) return;
     if (!triangles_meet(probe, fixed, Transform(last.device), Doubt::contact)) return;
@@ -144,9 +146,10 @@ struct CoherentSolver::State {
   }
 
   /// Translation only: before the descent, the separated probe turns with the device in one swept
-  /// motion: to the point at which the rows of the last tick let it rest, or lifted off its
-  /// contacts by as much as the turn can move a point of it; the descent lowers it again. Returns
-  /// false if that is blocked; then y is turned as far as it could.
+  /// motion. It tries the position at which the rows of the last tick let the probe rest; then
+  /// positions lifted off the contacts by multiples of the distance that the turn can move a point
+  /// of the probe (the descent lowers it again). Returns false if all of these are blocked; y is
+  /// then turned as far as possible.
   bool follow_turn(const Chart& chart, Effort& effort, Vec6& y) noexcept {
     if (!(y.head<3>().norm() > 0)) return true;
     const double depth = y.tail<3>().norm();
@@ -276,7 +279,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   s.last.converged = s.last.converged && followed;
   s.lag = s.last.converged ? 0 : s.lag + moved;
   if (s.last.converged) s.gap = gap_of_held;
-  // A probe with a spin of zero inertia is not at the device pose.
+  // With zero inertia about an axis, the probe may not be at the device pose.
   if (s.last.status == Status::separated && s.probe.mass.inertia.minCoeff() > 0) {
     const PhaseTimer timer(s.timed ? &s.times : nullptr, Phase::look);
     s.far_apart.look(device, farthest_move(s.probe.mass, s.device, device), effort);

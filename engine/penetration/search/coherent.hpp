@@ -9,10 +9,11 @@
 
 namespace sonde {
 
-/// Follows the separated pose of a moving probe. Each tick reaches its Q from the last one along a
-/// path swept free, on which the distance √σ to the new device pose decreases. It may rise by a
-/// quarter of the allowed clearance at most, where the probe regains its gaps. The path ends at a
-/// KKT point, or where the budget ends; the result says which.
+/// Follows the separated pose of a moving probe. Each tick moves Q from the last separated pose
+/// along a path that sweeps prove free. On this path, the distance √σ to the new device pose
+/// decreases, except where the probe regains its gaps: there it may rise by at most a quarter of
+/// the allowed clearance. The path ends at a KKT point, or when the budget is spent; the result
+/// says which.
 class CoherentSolver {
  public:
   explicit CoherentSolver(const Pair& pair, Method method = Method::pdg);
@@ -23,9 +24,9 @@ class CoherentSolver {
   CoherentSolver(const CoherentSolver&);
   CoherentSolver& operator=(const CoherentSolver&);
 
-  /// Starts at X_FM: there if the probe is free, otherwise where a static search ends; then the
-  /// result is marked as jumped. Allocates; not for the servo thread. Throws Cancelled if
-  /// `progress` returns false; the state is then unchanged.
+  /// Starts at X_FM. If the probe is free there, X_FM is the separated pose; otherwise a static
+  /// search finds it, and the result is marked as jumped. Allocates; not for the servo thread.
+  /// Throws Cancelled if `progress` returns false; the state is then unchanged.
   const Separation& reset(const Pose& X_FM, const StaticOptions& options = {},
                           const Progress& progress = {});
 

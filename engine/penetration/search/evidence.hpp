@@ -8,13 +8,13 @@
 
 namespace sonde {
 
-/// Decides whether the best result of a search so far is probably the global optimum: by the number
-/// of independent starts that agree on it, and by the sketches. It reads the search's current
-/// results at each call.
+/// Decides whether the best result of a search so far is probably the global optimum: from the
+/// number of independent starts that agree on it, and from the descents on sketches. Each call
+/// reads the current results of the search.
 class Evidence {
  public:
   struct Rules {
-    int agreement = 12;  ///< number of agreeing starts that suffices, whatever the sketches show
+    int agreement = 12;       ///< agreeing starts that suffice, whatever the sketches show
     bool by_sketches = true;  ///< whether sketches may suffice (StaticOptions::by_evidence)
     const SearchTuning& tuned = search_tuning;
   };
@@ -25,18 +25,21 @@ class Evidence {
 
   /// The best result so far is probably the global optimum.
   bool settles() const;
-  /// The best depth of the bodies is about that of the sketches.
+  /// Whether the sketches can be trusted: the best depth found on the bodies is about the best
+  /// depth found on the sketches.
   bool sketches_see() const;
-  /// The best way out is much longer than the overlap: a shorter one may exist that is too narrow
-  /// for the sketches to resolve. Requires sketches.
+  /// Whether a shorter separating motion may exist through a gap too narrow for the sketches to
+  /// resolve: the search has not settled, or may_be_deep(). Requires sketches.
   bool may_be_narrow() const;
-  /// The same, however many starts agree: agreement shows that a way out is wide, not that no
-  /// shorter and narrower one exists. False if there are no sketches, or if no point of theirs lies
-  /// deep.
+  /// Whether the best separating motion found is long compared with the overlap. The number of
+  /// agreeing starts does not count here: agreement shows that many starts reach a separating
+  /// motion, not that no shorter one exists through a narrower gap. False if there are no sketches,
+  /// or if none of their points lies inside the other body.
   bool may_be_deep() const { return !optima_.empty() && is_far_out(optima_.best()); }
-  /// Whether a way out of this length, m, is long compared with the overlap (Separation::far_out).
+  /// Whether a separating motion of this length, m, is long compared with the overlap
+  /// (Separation::far_out).
   bool is_far_out(double depth) const;
-  /// Estimated error of depths on sketches, m. Requires sketches.
+  /// Estimated error, m, of depths found on sketches. Requires sketches.
   double sketch_error() const { return rules_.tuned.sketch_error * sketched_[0].spacing(); }
 
  private:

@@ -20,8 +20,8 @@ constexpr double least_move = 1e-4;
 constexpr double fewest_moves = 8;
 /// R: limit of the room. Within half of it, the probe turns by less than a step of a descent may.
 constexpr double most_room = 0.5;
-/// Share of the room that is used. The other half is left to ticks that examine the bodies and
-/// learn on the way which contacts to expect.
+/// Share of the room that is used. In the other half, ticks examine the bodies and learn which
+/// contacts to expect.
 constexpr double used = 0.5;
 constexpr std::int64_t work_of_look = 500;  // units of Effort: a longer look does not pay
 constexpr int longest_wait = 64;            // ticks

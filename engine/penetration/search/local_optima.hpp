@@ -18,11 +18,11 @@ struct LocalOptimum {
   int starts = 1;  ///< starts that led there independently of earlier results, which confirm it
 };
 
-/// The places found so far, and how many starts agree on the best of them.
+/// The local optima found so far, and how many starts agree on the best of them.
 class LocalOptima {
  public:
-  /// `same`: depths that differ by less than this share are equal, and ends no further apart are
-  /// one place.
+  /// `same`, a share of the depth: depths that differ by less count as equal, and end poses no
+  /// further apart count as one local optimum.
   explicit LocalOptima(double same = search_tuning.same) : same_(same) {}
 
   void add(const LocalOptimum& place);
@@ -32,10 +32,10 @@ class LocalOptima {
   /// Number of independent starts that ended at the best depth.
   int agreeing() const;
   bool is_best(double depth) const { return depth < (1 + same_) * best_; }
-  /// Whether y is so near the best place (in units of its depth) that a descent probably ends
-  /// there.
+  /// Whether y is so near the best local optimum (within `share` times its depth) that a descent
+  /// from y probably ends there.
   bool is_known(const Vec6& y, double share) const;
-  /// The `count` nearest places, the best first, no two of them close together.
+  /// The `count` nearest local optima, the best first, no two of them close together.
   std::vector<Vec6> nearest(std::size_t count) const;
 
  private:

@@ -16,9 +16,9 @@ namespace sonde {
 void write_pair(const std::filesystem::path& file, const Pair& pair);
 
 /// The pair of these bodies with the contents of the file: the same bits as a new pair.
-/// @throws InputError, naming the file and the reason, if it is missing, is no such file, is
-/// damaged or of another version of Sonde, or was written for other bodies (other triangles, model
-/// or mass properties), and if a body is missing.
+/// @throws InputError, naming the file and the reason, if it is missing, is not a pair file, is
+/// damaged or from another version of Sonde, or was written for other bodies (other triangles,
+/// model or mass properties), and if a body is missing.
 Pair read_pair(const std::filesystem::path& file, std::shared_ptr<const Body> probe,
                std::shared_ptr<const Body> fixed);
 

@@ -27,8 +27,8 @@ namespace sonde {
 
 /// One global search in stages: descents on the sketches; descents on the bodies from the ends of
 /// these, from overlaps that are pushed apart and from random poses; translation only as an
-/// intermediate result; and the refinement of the best. Use it once: run(), and again() if more has
-/// become known since.
+/// intermediate result; and the refinement of the best. An object serves for one search: call run()
+/// once, and again() if know() has been called since.
 class Search {
  public:
   /// Starts that descend in parallel; their results count from the next round on.
@@ -41,10 +41,10 @@ class Search {
   /// number of starts.
   Separation run();
 
-  /// Adds a place known from another search, which was free there. A start of this search that also
-  /// reaches it confirms it.
+  /// Adds a free pose that another search found, as a known local optimum. A start of this search
+  /// that also reaches it confirms it.
   void know(const Pose& separated);
-  /// The result of run(), including what has become known since.
+  /// The result of run(), including the poses added by know() since.
   Separation again() { return finish(); }
 
   int sketches_made() const { return other_sketches_ + sketches_.made(); }
@@ -78,12 +78,13 @@ class Search {
   void accept(const LocalOptimum& place);
   void add(const LocalOptimum& place);
 
-  /// Moves the best place into contact, so that it can be returned if the steps run out.
+  /// Moves the best local optimum into contact, so that it can be returned if the steps run out.
   void settle();
 
   void first_sketches();
-  /// Starts from the nearest end on the sketches, which costs no steps. It is so near the best
-  /// depth that few steps suffice, whereas a translation may use all of them and end far above.
+  /// Starts from the nearest end on the sketches, which costs no steps. That end is so near the
+  /// best depth that few steps suffice, whereas a descent by translation may use all of them and
+  /// end far above.
   void first_sketched_start();
 
   /// The stages before all others, depending on the time or step budget.
@@ -96,8 +97,8 @@ class Search {
 
   void near_starts(Method method);
 
-  /// Starts from overlaps near the device pose: these find ways out that are too narrow for
-  /// sketches and random poses.
+  /// Starts from overlaps near the device pose: these find separating motions through gaps that are
+  /// too narrow for sketches and random poses.
   void pushed_starts();
 
   /// Starts from up to `most` untried ends on the sketches, two at a time, as long as they may be
@@ -108,10 +109,11 @@ class Search {
   /// on the sketches, where the bodies are nearly free.
   void beyond_ends();
 
-  /// Starts from outside and moves to contact. If the time is over, only along the first lines.
+  /// Starts from outside, along the first `most` lines of Starts::descend_from_outside, and moves
+  /// to contact. If the time is over, callers ask for fewer lines.
   void starts_outside(std::size_t most);
 
-  /// Finds some way out by translation only, at small cost.
+  /// Finds some separating translation at small cost.
   void first_translation();
 
   /// Searches briefly by translation only, and descends from there with all six degrees of freedom.
@@ -121,22 +123,24 @@ class Search {
   void first_translations();
 
   /// Searches PD_t to its end, and descends from there with all six degrees of freedom. So the
-  /// depth never exceeds PD_t; and on large meshes this finds what no other start does (1.5 % of
-  /// the depth on one of the six poses of camel in armadillo).
+  /// depth never exceeds PD_t. On large meshes this also finds optima that no other start reaches
+  /// (on one of the six poses of camel in armadillo, nearer by 1.5 % of the depth).
   void finish_translation();
 
   Random stream(std::uint64_t number) const;
 
-  /// While it is undecided which end on the sketches is the best: more starts on sketches, and
-  /// descents of the bodies from their ends.
+  /// As long as it is undecided which end on the sketches is the best: makes more starts on
+  /// sketches, and descends with the bodies from their ends.
   void more_sketches();
-  /// What is still undecided: random poses. Without sketches, these are the whole search.
+  /// As long as the search has not settled: starts from random poses. Without sketches, these are
+  /// the whole search.
   void random_rounds();
-  /// Where the way out is long compared with the overlap, almost no pose near the best optima is
-  /// free. Random free poses do not come near them, and the number of agreeing starts says nothing.
-  /// Overlaps that are pushed apart do come near. Every other one has axes of both bodies on one
-  /// line, as parts that are made to fit have. After the best was found, as many starts again
-  /// follow, since there may be a better one.
+  /// For a separating motion that is long compared with the overlap. Then almost no pose near the
+  /// best optima is free: random free poses do not come near these optima, and the number of
+  /// agreeing starts proves nothing. Overlaps that are pushed apart do come near. In every other
+  /// one, a principal axis of each body lies on one common line, as in parts that are made to fit.
+  /// After each improvement of the best depth, as many starts as before follow, since there may be
+  /// a still better optimum.
   void pushed_rounds();
   bool goes_on() const { return !is_over() && !evidence_.settles(); }
   /// No more starts. Called before each start, on the calling thread only.
@@ -147,7 +151,7 @@ class Search {
 
   void random_starts(int first);
 
-  /// Refines the best few places, and returns the best that passes the exact test.
+  /// Refines the best few local optima, and returns the best that passes the exact test.
   Separation finish();
 
   /// Adds the answer unless the steps ran out: a refinement cut short may end slightly above that
@@ -157,8 +161,8 @@ class Search {
   Separation refined(Method method, const Vec6& from, int steps);
 
   /// The refined translational depth. If it competes with the depth of all six degrees of freedom,
-  /// a refinement with these starts from it: contacts that also hold the probe against turning make
-  /// it an optimum of that problem.
+  /// a refinement with these starts from it: if its contacts also hold the probe against turning,
+  /// it is an optimum of that problem too.
   std::optional<double> add_translation();
 
   const Pair& pair_;
@@ -186,9 +190,10 @@ class Search {
   int other_sketches_ = 0;  // starts on sketches in searches for translations
 };
 
-/// A PD_t search without a limit, and its number of descents on sketches. A way out of the probe
-/// is, reversed, a way out of the fixed body: both are searched, with starts of their own, and the
-/// shorter one counts. So exchanged bodies mostly have the same PD_t.
+/// The result of a PD_t search without a limit, and its number of descents on sketches. A
+/// translation that frees the probe, reversed, frees the fixed body if that moves instead. So both
+/// problems are searched, each with its own starts, and the shorter result counts. Thus PD_t mostly
+/// does not change if the bodies are exchanged.
 struct Translated {
   Separation found;
   int sketches = 0;

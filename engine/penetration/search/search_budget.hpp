@@ -7,8 +7,8 @@
 
 namespace sonde {
 
-/// What a static search may still spend, in time and in counted steps, and the shares of the time:
-/// for sketches, for the whole search, and for refining the results.
+/// The remaining budget of a static search, in time and in counted steps, and the deadlines of its
+/// parts: the search on sketches, the whole search, and the refinement of the results.
 class SearchBudget {
  public:
   SearchBudget(const Budget& budget, const Deadline& deadline, const SearchTuning& tuning);

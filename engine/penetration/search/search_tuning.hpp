@@ -18,7 +18,7 @@ namespace sonde {
 struct SearchTuning {
   // Budgets
   /// Shares of a time budget at which the search on sketches, the whole search, and the refinement
-  /// end. The rest is for the exact test. What is not finished by its share is left undone, and the
+  /// end. The rest is for the exact test. A part that is not finished by then is cut off, and the
   /// answer may be deeper.
   double share_for_sketches = 0.45;
   double share_for_search = 0.7;
@@ -27,31 +27,31 @@ struct SearchTuning {
   /// their longest start. With less time than this, one thread finds as much and keeps the time
   /// limit better.
   double shortest_for_two_threads = 5000;
-  /// Counted steps that a first translation may take, so that there is one even with few steps. If
-  /// it is cut short, the first answer is deeper.
+  /// Maximum number of counted steps of the first translation, so that one is found even with few
+  /// steps. If it is cut short, the first answer is deeper.
   int steps_of_first_translation = 8;
 
   // Starts on sketches, of some 0.05 ms each
   /// At first, starts are made until they agree or `most_first_sketches` are made; then their
-  /// number doubles as long as the ends leave it open which is the best. On the 224 poses of
+  /// number is doubled as long as it is unclear which end is the best. On the 224 poses of
   /// depths.csv that have sketches and three seeds, 16 starts come to within a tenth of the depth
   /// of the reference pose on 442 of 672, 64 on 546, 256 on 588 and 512 on 597.
   int first_sketches = 16;
   int most_first_sketches = 64;
   int most_sketches = 256;
-  /// Starts for the first translation, which is only a start itself.
+  /// Number of starts on sketches for the first translation, whose result serves only as a start.
   int sketches_of_translations = 8;
   /// Number of starts on sketches that must independently reach the best end; `clear_alone`
-  /// suffices if no other end is within `alone` of the best depth. With 4, two poses more of 244
-  /// end over 1 % too deep, in 12.2 ms instead of 14.7 in the median.
+  /// suffices if no other end is within `alone` times the best depth. With `clear` 4, two more
+  /// poses of 244 end over 1 % too deep, and the median is 12.2 ms instead of 14.7.
   int clear = 8;
   int clear_alone = 4;
   double alone = 1.08;
-  /// Share of the depth: ends on sketches that are no further apart are one place. If it is larger,
-  /// different places are merged, and the better one may not be tried.
+  /// Share of the depth: ends on sketches that are no further apart count as one local optimum. If
+  /// it is larger, different optima are merged, and the better one may not be tried.
   double same_place_on_sketches = 0.1;
-  /// Factor: an end nearer than the known depth of its place by this factor is worth another
-  /// descent of the bodies.
+  /// Factor on the depth of a known end: a new end at the same optimum with less depth than this is
+  /// worth another descent of the bodies.
   double nearer_on_sketches = 0.98;
   /// Number of starts from the nearest free poses, before some are made near the best depth and the
   /// best ends.
@@ -74,13 +74,13 @@ struct SearchTuning {
   double hopeless_few_points = 0.95;
   double hopeless_more_points = 1.1;  ///< the same with all points: ends beside the best are wanted
   /// Factor on the best depth: descents with few points that end above are not repeated with all
-  /// points. If it is lower, places are lost where few points mislead.
+  /// points. If it is lower, optima are lost whose depth is too large with few points.
   double worth_more_points = 1.15;
 
   // From sketches to the bodies
-  /// Maximum numbers of ends on sketches from which the bodies descend: if one end stands out (four
-  /// find no more on depths.csv), at first if none does, and later. Ends beyond these are not
-  /// tried; each takes about 1 ms.
+  /// Maximum numbers of ends on sketches from which the bodies descend, at about 1 ms each:
+  /// `ends_where_clear` if one end stands out (four find no more on depths.csv), `first_ends` at
+  /// first if none does, and `most_ends` later. Further ends are not tried.
   std::size_t ends_where_clear = 2;
   std::size_t first_ends = 8;
   std::size_t most_ends = 24;
@@ -89,7 +89,7 @@ struct SearchTuning {
   double apart[5] = {0, 0.1, 0.3, 0.6, 1.2};
   int steps_apart = 4;
   /// Factors on an end on sketches: with a time budget, free poses are tried straight beyond it,
-  /// one after the other. If none is free, a pose from outside is the answer, which may be many
+  /// one after the other. If none is free, the answer comes from a start outside, and may be many
   /// times as deep.
   double beyond[6] = {1.02, 1.06, 1.15, 1.35, 1.8, 2.6};
   /// Grid cells: estimated error of sketches. An end deeper than the best depth by more is not
@@ -102,24 +102,24 @@ struct SearchTuning {
   double blind = 1.3;
 
   // Starts from overlaps, which are pushed apart (PushApart)
-  /// Number of starts near the device pose: sketches that agree prove nothing about a hole that
-  /// they do not resolve (a cylinder in a hole, conforming_test.cpp). Without these starts its
-  /// answer is out at the end of the hole; no pose of depths.csv needs them, and they cost a third
-  /// of the median.
+  /// Number of starts near the device pose: agreement of sketches proves nothing about a hole that
+  /// they do not resolve (a cylinder in a hole, conforming_test.cpp). Without these starts, the
+  /// answer for that cylinder leaves through the end of the hole. No pose of depths.csv needs them,
+  /// and they cost a third of the median.
   std::size_t pushes = 8;
-  /// Factor on the depth of the deepest sketch point in the other body at the device pose: a
-  /// settled search with a best depth no larger needs no pushes, since no way out is much shorter
-  /// than that point's. Of the 244 poses 241 are within 1 % with 1.5 and 2.5, as with pushes
-  /// everywhere, in 15.3 and 13.9 ms in the median instead of 18.3 (beside other work). Beyond it
-  /// the random starts of PD_g are overlaps too (with 1e9 none are: on the 128 poses of
-  /// deep_tuning.csv, three seeds, 310 of 384 are then within 1 % instead of 359). If it is larger,
-  /// a way out through a narrow gap may be missed.
+  /// Factor on the depth of the deepest sketch point in the other body at the device pose. If the
+  /// search has settled and the best depth is no larger than this, it needs no pushes, since no
+  /// separating motion is much shorter than the depth of that point. (With 1.5, with 2.5, and with
+  /// pushes on every pose, 241 of the 244 poses are within 1 %; the median is 15.3, 13.9 and 18.3
+  /// ms, measured beside other work.) If the best depth is larger, the random starts of PD_g are
+  /// overlaps too. (With 1e9 none are: on the 128 poses of deep_tuning.csv with three seeds, 310 of
+  /// 384 are then within 1 % instead of 359.) If the factor is larger, a separating motion through
+  /// a narrow gap may be missed.
   double narrow = 2.5;
   double nearest_push = 0.1;   ///< times the best depth, or R if that is less
   double farthest_push = 0.8;  ///< the same
-  /// Factors on the best depth: limit of the distance to which an overlap is pushed apart, and
-  /// distance from the best place within which a freed pose is not descended, since it would end
-  /// there.
+  /// Factors on the best depth: limit of |y| while an overlap is pushed apart, and distance from
+  /// the best optimum within which no descent starts from a freed pose, since it would end there.
   double given_up_at = 1.3;
   double known_within = 0.1;
 
@@ -127,58 +127,60 @@ struct SearchTuning {
   /// Maximum number of random starts after the starts on sketches. On depths.csv, 16, 32, 64 and
   /// 160 of them leave the same poses of three seeds over 1 % too deep; with the bodies moved, 32
   /// lose two poses more than 64, one by 22 %. Without sketches, StaticOptions::starts is the
-  /// limit. If overlaps are pushed apart instead: with 32, 64 and 128 of them 348, 359 and 368 of
-  /// those 384 are within 1 %, in 52 to 65, 62 to 79 and 88 to 100 ms in the median.
+  /// limit. If overlaps are pushed apart instead (see `narrow`): with 32, 64 and 128 of them, 348,
+  /// 359 and 368 of those 384 are within 1 %, and the median is 52 to 65, 62 to 79 and 88 to 100
+  /// ms.
   int most_after_sketches = 64;
   /// Grid cells: a random pose at which the sketches overlap more deeply is rejected without a test
-  /// of the bodies. If it is lower, poses are lost where the sketches are wrong.
+  /// of the bodies. If it is lower, free poses are rejected where the sketches are wrong.
   double plainly_deep = 0.3;
-  /// Random poses tried in one ball until one is free. If none is, the ball grows, and a way out
-  /// close by may be missed.
+  /// Random poses tried in one ball until one is free. If none is, the ball grows, and a short
+  /// separating motion may be missed.
   int tries_in_a_ball = 50;
   int near_tries = 12;          ///< the same for near starts: pockets are small
-  int near_tries_timed = 5;     ///< the same with a budget of time, which they would use up
+  int near_tries_timed = 5;     ///< the same with a time budget, which more would use up
   double near_growth = 1.6;     ///< growth of the balls of near starts
   double far_growth = 1.2;      ///< growth of the balls of far starts
   double smallest_ball = 2e-3;  ///< R: the first ball of near starts
-  /// R (far starts: of the first ball): limit of the search for a free pose.
+  /// In R, or for far starts in radii of the first ball: limit of the search for a free pose.
   double largest_ball = 4;
   /// Factor on the radius of the last free pose: the next search begins there.
   double near_again = 0.3;
-  /// |v|: poses with larger turns, 128°, are not used as starts, since the chart is strongly curved
-  /// there. Only descents reach a way out with such a turn.
+  /// |v|: poses with larger turns (over 128°) are not used as starts, since the chart is strongly
+  /// curved there. Only descents reach a separated pose with such a turn.
   double largest_start_v = 0.9;
   /// Number of best ends about which starts are made: if there are many, the better ones lie
   /// together.
   std::size_t ends_for_starts = 6;
-  double about_nearest = 0.03;    ///< times the best depth: least radius of the ball about an end
-  double about_wider = 0.47;      ///< times the best depth: added at most; most are near the least
+  double about_nearest = 0.03;  ///< times the best depth: least radius of the ball about an end
+  double about_wider = 0.47;    ///< times the best depth: largest addition; small ones are likelier
   double nearest_overlap = 0.1;   ///< times the best depth: between solids, overlaps to push apart
   double farthest_overlap = 1.2;  ///< the same
-  /// Times the best depth: that ball itself has no free pose.
+  /// Times the best depth: radii of the first balls of far starts. (The ball of the best depth
+  /// itself has no free pose.)
   double far_widths[3] = {0.75, 1.15, 1.5};
 
   // Descents of one start, by leaps: roughly by outlines, then by the true contacts
   int rough_steps = 15;
   double rough_reach = 0.3;  ///< share of |y|: the first leap
   /// Factor on the best depth: a rough descent that ends above is not repeated exactly. If it is
-  /// lower, places are lost that look worse by outlines than they are.
+  /// lower, optima are lost whose depth is too large with outlines.
   double worth_exact = 1.2;
   int exact_steps = 12;
   double exact_reach = 0.1;
   int exact_steps_alone = 15;  ///< if there was no rough descent
   double exact_reach_alone = 0.2;
   double exact_tolerance = 0.01;  ///< share of |y|; refined later
-  /// Factors on the best depth: a rough or an exact descent that will end above is given up.
+  /// Factors on the best depth: a rough or an exact descent that will end above it is given up.
   double hopeless_rough = 1.1;
   double hopeless_exact = 1.02;
 
   // The end
-  /// Share of the depth: depths that differ by less are equal, and ends no further apart are one
-  /// place. Starts that agree end the search; if it is larger, the search may end at a place deeper
-  /// by that share.
+  /// Share of the depth: depths that differ by less count as equal, and ends no further apart count
+  /// as one local optimum. Agreement of starts ends the search, so if it is larger, the search may
+  /// end at an optimum that is deeper by that share.
   double same = 0.02;
-  std::size_t refined = 3;  ///< number of best places that are refined
+  std::size_t refined = 3;  ///< number of best local optima that are refined
   /// Factor on the best depth: descents that ended further out are not refined. Descents end a
   /// thousandth or so above their optimum.
   double worth_refining = 1.01;
@@ -187,13 +189,14 @@ struct SearchTuning {
 
   // The lower bound if it must not take longer than the search
   /// Units of its work (BoundOptions) for each start on sketches and for each step of the bodies
-  /// that the search made. On the 224 poses of depths.csv with a solid it then takes 17 % of the
-  /// time in the median, and its median is 0.66 of the reference instead of 0.85. Half as many
-  /// again: 0.70, and it takes longer than the search on 11 of them.
+  /// that the search made. On the 224 poses of depths.csv with a solid, the bound then takes 17 %
+  /// of the time in the median, and its median is 0.66 of the reference instead of 0.85. With 1.5
+  /// times as many units it is 0.70, and the bound takes longer than the search on 11 of these
+  /// poses.
   int bound_for_a_sketch = 28;
   int bound_for_a_step = 95;
-  /// µs: if less of a limited time is left, no bound is computed unless time was reserved for it:
-  /// its start points alone would take longer.
+  /// µs: if less than this is left of a limited time, no bound is computed unless time was reserved
+  /// for it: its start points alone would take longer.
   double least_us_for_bound = 300;
 };
 inline constexpr SearchTuning search_tuning;

@@ -27,7 +27,7 @@ class SearchWorker {
   LocalOptimum descend_exactly(const Chart& chart, const Vec6& y, Method method,
                                const Limits& limits);
 
-  /// Adds the times of phases to `times` from now on; null: to nothing.
+  /// From now on, adds the time spent in each phase to `times`. Null: records no times.
   void time_into(PhaseTimes* times) noexcept;
 
   LeapDescent& leaps(Method method) { return method == Method::pdg ? pdg_ : pdt_; }
@@ -37,8 +37,8 @@ class SearchWorker {
 
   /// A random displacement that does not depend on the orientation of the world frame.
   Vec6 sample(Random& random, double radius, Method method) const;
-  /// A free pose among `tries` random poses of a ball about `center`, if there is one. If the
-  /// sketches overlap clearly too deep, the bodies are not tested.
+  /// A free pose among `tries` random poses of a ball about `center`, if there is one. Where the
+  /// sketches overlap by more than SearchTuning::plainly_deep, the bodies are not tested.
   std::optional<Vec6> free_sample(const Chart& chart, Random& random, const Vec6& center,
                                   double radius, int tries, Method method, const Deadline& before,
                                   SketchDescent* sketches = nullptr);

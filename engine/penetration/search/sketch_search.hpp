@@ -49,7 +49,7 @@ class SketchSearch {
   /// Makes more starts until `most` are made, or `fewest` and is_clear(agreeing).
   void make_starts(int fewest, int most, int agreeing);
 
-  std::vector<SketchEnd>& ends() { return ends_; }  ///< sorted by depth, each place once
+  std::vector<SketchEnd>& ends() { return ends_; }  ///< sorted by depth, each optimum once
   /// `agreeing` starts have independently ended at the least depth, to 2 %; fewer suffice if no
   /// other end is near it.
   bool is_clear(int agreeing) const;

@@ -17,11 +17,12 @@ struct Aim {
   Method method = Method::pdg;
   double beat = 0;                     ///< m: the best depth so far; infinite if there is none
   int steps = 0;                       ///< steps that it may take
-  const LocalOptima* known = nullptr;  ///< places that need not be reached again
+  const LocalOptima* known = nullptr;  ///< optima that need not be reached again
 };
 
-/// The kinds of starts of a search, each made and descended in one of two lanes. The `starts` of a
-/// result says whether the descent was independent of earlier results.
+/// Makes the starts of a search, of several kinds, and descends from each of them. Every call runs
+/// in one of two lanes, the workspaces of two threads. In a result, `starts` is 1 if the descent
+/// was independent of earlier results, otherwise 0.
 class Starts {
  public:
   Starts(const Pair& pair, const Chart& chart, const Deadline& before,
@@ -37,13 +38,13 @@ class Starts {
   PhaseTimes phases() const;  ///< sum of both lanes; 0 unless recorded
 
   /// Descends from the nearest free pose, found among random poses in growing balls, `tries` in
-  /// each. This finds a way out close by, even in a tangle that no start from outside enters.
+  /// each. This finds short separating motions, even in a tangle that no start from outside enters.
   LocalOptimum descend_from_nearest_free(Random random, int tries, const Aim& aim,
                                          std::size_t lane);
   /// Descends from a pose at which the sketches are apart, or from a free pose near it.
   LocalOptimum descend_from_sketch_end(const SketchEnd& end, const Aim& aim, std::size_t lane);
-  /// The same without a search for a nearer pose: from the first free pose straight beyond that
-  /// end. For a search whose time is over.
+  /// As descend_from_sketch_end(), but from the first free pose on the straight line beyond that
+  /// end, without a search for a nearer one. For a search whose time is over.
   LocalOptimum descend_beyond_sketch_end(const SketchEnd& end, const Aim& aim, std::size_t lane);
   /// Pushes the overlap at y apart by its intersecting triangles, and descends from there.
   LocalOptimum push_apart_and_descend(const Vec6& y, const Aim& aim, std::size_t lane);
@@ -61,8 +62,8 @@ class Starts {
   LocalOptimum descend_near_end(const Vec6& end, Random random, const Aim& aim, std::size_t lane);
   /// The k-th start of a round of random starts. Most start near the best ends, because where there
   /// are many, the better ones lie together. Others start from a random free pose of a ball
-  /// somewhat larger than the best depth so far. If both bodies are solid, every other turn starts
-  /// these from an overlap instead.
+  /// somewhat larger than the best depth so far. If both bodies are solids, these start from an
+  /// overlap instead in every other round (`turn`).
   static constexpr std::size_t per_round = 8;
   LocalOptimum descend_in_round(std::size_t turn, std::size_t k, const std::vector<Vec6>& ends,
                                 Random random, const Aim& aim, std::size_t lane);

@@ -20,17 +20,17 @@ struct StaticOptions {
   /// The search ends when this many independent starts have ended at the best depth, to 2 %. At
   /// least 1.
   int agreement = 12;
-  /// The share of answers, above 0 and below 1, that should be the best there is, to the stated
-  /// accuracy. A larger share makes the search use more starts where the way out is long
+  /// The share of answers, above 0 and below 1, that should be the global optimum to the stated
+  /// accuracy. With a larger share, the search makes more starts if the separating motion is long
   /// (Separation::far_out), since agreement of starts proves nothing there.
   double sure = 0.9;
   /// Also stop if the sketches of the bodies leave no doubt, or if the search has descended from
-  /// all places that they show. False: only the two limits above end the search.
+  /// all optima that they show. False: only `starts` and `agreement` end the search.
   bool by_evidence = true;
   bool want_lower_bound = true;  ///< compute the lower bound too
   /// True: the bound uses all the work that raises it (some 5 ms). False: about as much as the
-  /// search took, by count, plus its start points. The bound may then be lower, and there is none
-  /// if a time budget leaves less than 0.3 ms.
+  /// search took, by count, plus its start points. The bound may then be lower. There is none if
+  /// less than 0.3 ms of a time budget is left.
   bool whole_bound = false;
   /// The share of a time budget that is reserved for the bound, 0 to 1. 0: the bound gets what the
   /// search leaves.

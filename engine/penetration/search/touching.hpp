@@ -10,10 +10,10 @@ namespace sonde {
 
 /// The answer at a pose at which the bodies only touch: the nearest free pose by the contacts
 /// there, with these contacts and a depth at the level of rounding
-/// (TouchingTuning::level_in_roundings). It is free by the exact test, and a search could not find
-/// a distinguishable answer, since no depth is below 0. The lower bound is left to the caller. No
-/// value if the bodies overlap by more, or if no motion that small frees the probe, as for a peg
-/// exactly as large as its hole; that costs a few µs. Allocates.
+/// (TouchingTuning::level_in_roundings). The pose is free by the exact test. A search could not
+/// find a better answer, because no depth is below 0. The caller sets the lower bound. No value if
+/// the bodies overlap by more, or if no motion that small frees the probe, as for a peg exactly as
+/// large as its hole; finding that out costs a few µs. Allocates.
 /// @pre The bodies overlap at X_FM, whose quaternion is unit.
 std::optional<Separation> touching_separation(const Body& probe, const Body& fixed,
                                               const Pose& X_FM, Method method);

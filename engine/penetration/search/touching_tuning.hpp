@@ -10,19 +10,19 @@ namespace sonde {
 /// Poses that a limit here excludes are searched, at the search's cost.
 struct TouchingTuning {
   /// In rounding errors of placing the bodies (rounding_guard: 64 ε × extents; large far from the
-  /// origin, or beside a large body): depth up to which a touch is its own answer. It is at least
-  /// the clearance that an answer of no depth may keep (allowed_clearance, 1e-9 R). An answer below
-  /// it cannot be distinguished from one of depth 0.
+  /// origin, or beside a large body): an overlap up to this depth is a touch, and is answered
+  /// without a search. It is at least the clearance that an answer of no depth may keep
+  /// (allowed_clearance, 1e-9 R). An answer below it cannot be distinguished from one of depth 0.
   double level_in_roundings = 64;
   /// In the same rounding errors: gaps that are tried in turn. The first is well above what
   /// coordinates lose when the pose is rounded; the second, if that is not free, is what a descent
   /// keeps at least.
   double gaps[2] = {1, 16};
-  /// Levels: distance of the pairs that may become obstacles. A touch moves no point of the probe
-  /// further, except one far beyond the others (a needle).
+  /// In levels: pairs within this distance may become obstacles. The answer to a touch moves no
+  /// point of the probe further, except a point far beyond the others (a needle).
   double reach = 4;
-  /// Pairs of the first look. In nearly all poses that are not a touch, one of them overlaps by
-  /// more than the level, and the test ends. 1 to 5 µs.
+  /// Number of pairs examined first. In nearly all poses that are not a touch, one of them overlaps
+  /// by more than the level, and the test ends after 1 to 5 µs.
   std::size_t first_pairs = 16;
   /// Maximum number of touching pairs: 1 ms of work. Flat parts have few touching triangles however
   /// finely they are cut; only curved surfaces that fit each other have more.

@@ -10,8 +10,8 @@
 
 namespace sonde {
 
-/// Keeps the answer that a search may return, whatever ends the search: the nearest of the refined
-/// poses that pass the exact test.
+/// Keeps the best answer that a search may return at any time: the nearest of the refined poses
+/// that pass the exact test.
 class Verified {
  public:
   /// `times`: receives the times of phases; null: they are not recorded.
