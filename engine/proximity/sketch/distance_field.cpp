@@ -13,8 +13,8 @@ namespace {
 
 /// Number of cells along the longest side.
 constexpr double cells = 28;
-/// In spacings: margin of the grid around the body. Outside the grid, the distance is that of its
-/// nearest point plus the way to it.
+/// In spacings: margin of the grid around the body. Outside the grid, the distance is that at the
+/// nearest point of the grid's border plus the distance to that point.
 constexpr double pad = 1.5;
 
 }  // namespace

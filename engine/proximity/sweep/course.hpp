@@ -7,8 +7,8 @@
 
 namespace sonde {
 
-/// Bound of the displacement of a probe, relative to one of its points, the centre: a point of the
-/// probe at a distance r from the centre has moved by at most linear + r·turn.
+/// Bound of the displacement of the points of a probe, in terms of one of them, the centre: a point
+/// at the distance r (m) from the centre has moved by at most linear + r·turn (m).
 struct Displacement {
   double linear = 0, turn = 0;  // m, rad
   double of(double arm) const { return linear + arm * turn; }
@@ -24,16 +24,17 @@ struct Course {
 };
 inline Course operator*(double k, const Course& c) { return {k * c.linear, k * c.turn}; }
 
-/// The course of a motion at its start, and a bound of the deviation from it anywhere on the
-/// motion. At s of the motion, the reference is s times the course.
+/// A motion, described by its first-order motion at the start (the course) and a bound of the
+/// deviation from that: at the parameter s of the motion, the probe is within `bend` of s times the
+/// course.
 struct Path {
   Course course;
   Displacement bend;
 };
 Path path_of(const Motion& motion, const Vec3& centre);
 
-/// Bound of the displacement along a motion; at s of it, the displacement is at most s times the
-/// bound.
+/// Bound of the displacement along a motion: at the parameter s, the displacement is at most s
+/// times the bound.
 Displacement displacement_along(const Motion& motion, const Vec3& centre);
 
 /// The smallest displacement that takes the probe from one pose to another; `centre` is in its mesh

@@ -14,8 +14,8 @@ class Motion {
   /// The straight path y(s) = from + s (to − from) of a chart. 1 − |v|² must stay above least_w2:
   /// nearer to a half turn, the bounds are not valid.
   Motion(const Chart& chart, const Vec6& from, const Vec6& to);
-  /// From one pose X_FM to another: the centre of mass on a straight line and the turn about one
-  /// axis, the shorter way (at most half a turn), both with constant speed.
+  /// From one pose X_FM to another: the centre of mass moves on a straight line, and the probe
+  /// turns about one axis in the shorter sense (at most half a turn), both with constant speed.
   Motion(const MassProperties& mass, const Pose& from, const Pose& to);
 
   Transform at(double s) const;  ///< X_FM

@@ -210,8 +210,8 @@ void NeighbourList::follow(std::span<const UnprovenPair> open, PairSweep& pairs,
   const auto passes = [&](const TriangleBatch::Pair& pair, const Vec3& n) {
     return pairs.is_clear_along(pair.i, pair.j, n);
   };
-  // A pair that slides past with little room, edge over edge, is clear along a surface normal,
-  // whereas the direction of its closest points changes sides.
+  // If an edge slides past an edge with little room, a surface normal separates the pair all along
+  // the path, whereas the direction of its closest points changes sides.
   Vec3 hint = Vec3::Zero();
   const auto passes_over = [&](const TriangleBatch::Pair& pair) {
     const Corners ta = place(pairs.start().X, corners(surface(a_), pair.i));

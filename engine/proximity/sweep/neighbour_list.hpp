@@ -22,8 +22,8 @@
 namespace sonde {
 
 /// The pairs of triangles that were within a reach of each other at one pose. As long as the probe
-/// has moved by less than that reach, near() and sweep_along() look at these pairs alone. So one
-/// walk of the trees serves many small steps (after the neighbour lists of L. Verlet, 1967).
+/// has moved by less than that reach, near() and sweep_along() examine only these pairs. So one
+/// traversal of the trees serves many small steps (after the neighbour lists of L. Verlet, 1967).
 ///
 /// How far a triangle of A has moved follows from the motion of one point of A, the centre, and
 /// from the triangle's arm, its distance from that point. The best centre lies among the contacts:
@@ -39,16 +39,16 @@ class NeighbourList {
   NeighbourList(const Body& a, const Body& b, std::size_t capacity = enough);
 
   /// What a list covers: every pair whose distance falls to around.of(arm) or less somewhere on the
-  /// course `ahead`. The arm is that of the pair's triangle of A. A probe that slides mostly
-  /// continues as it went. A list for its course holds fewer pairs than one for all directions, and
-  /// serves as long.
+  /// course `ahead`. The arm is that of the pair's triangle of A. A sliding probe mostly continues
+  /// in the same direction. A list for its course holds fewer pairs than one for all directions,
+  /// and stays valid as long.
   struct Coverage {
     Displacement around;
     Course ahead = {};
   };
-  /// What a build is to cover. It changes from `wanted` to `fallback` while it runs, if `wanted`
-  /// takes more work than `most_work` or more pairs than fit. The pairs found by then are kept if
-  /// they belong to the fallback.
+  /// The coverage that a build aims at. While it runs, the build changes from `wanted` to
+  /// `fallback` if `wanted` takes more work than `most_work`, or has more pairs than fit. The pairs
+  /// found by then are kept if they belong to the fallback.
   struct BuildPlan {
     Coverage wanted;
     Coverage fallback;  ///< its course is a part of that of `wanted`
@@ -72,7 +72,7 @@ class NeighbourList {
   /// Continues a build that ran out of effort. Returns as build_by does.
   bool go_on(Effort& effort) noexcept;
   bool is_unfinished() const noexcept { return unfinished_; }
-  /// What reach_at() will return, for a path from X, when the build is finished.
+  /// The value that reach_at() will return, for a path from X, when the build is finished.
   double reach_when_finished(const Transform& X, const Path& path) const noexcept {
     return planned_.around.linear < 0 ? -1 : left(planned_, X, path);
   }
@@ -123,7 +123,8 @@ class NeighbourList {
   struct BlockBound {
     double distance, arm;
   };
-  /// A pair that the direction that separated it last does not prove clear of a path.
+  /// A pair that may stop a path: the direction that separated it last does not prove that it stays
+  /// apart.
   struct UnprovenPair {
     std::uint32_t item;
     double until;  ///< about where the pair may stop the path, 0 to 1
@@ -132,7 +133,7 @@ class NeighbourList {
   double left(const Coverage& room, const Transform& X, const Path& path) const noexcept;
   /// m: what rounding may add to a distance at X or at the pose of the list.
   double guard(const Transform& X) const noexcept;
-  /// Adds the way from the last pose to X to the travel of the probe.
+  /// Adds the displacement from the last pose to X to the accumulated travel of the probe.
   void travel_to(const Transform& X) noexcept;
   /// m: a lower bound of the distance of a block's pairs now.
   double spare(const BlockBound& d) const noexcept {
@@ -169,8 +170,8 @@ class NeighbourList {
   void set_normal(std::uint32_t item, const Vec3& normal) noexcept;
   /// Raises the bound of block k by the least gap (m) that was found in it at the present pose.
   void learn(std::size_t k, double gap, double rounding) noexcept;
-  /// Decides about the unproven pairs of a path: tries other directions, and at last follows a
-  /// pair's motion up to the stop.
+  /// Decides how far the unproven pairs leave a path free: tries other separating directions, and
+  /// if none suffices, advances the pair along the path up to its stop.
   void follow(std::span<const UnprovenPair> open, PairSweep& pairs, const Displacement& ahead,
               Effort& effort) noexcept;
 

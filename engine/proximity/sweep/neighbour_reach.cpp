@@ -7,13 +7,14 @@
 namespace sonde {
 namespace {
 
-/// Share of the probe's radius: for longer paths no list is made, since walking the trees is
-/// quicker. (With 0.02 the p99.9 of a tick in contact was 1497 µs on fandisk-diplodocus and 5222 on
-/// terrain, with 0.04 1067 and 4074, with 0.07 1247 and 7505; the others did not change.)
+/// Share of the probe's radius: for longer paths no list is made, since traversing the trees is
+/// quicker. (The p99.9 of a tick in contact on fandisk-diplodocus and on terrain was 1497 and 5222
+/// µs with 0.02, 1067 and 4074 µs with 0.04, 1247 and 7505 µs with 0.07; the other scenes did not
+/// change.)
 constexpr double farthest_listed = 0.04;
 /// Shorter paths always get a list: in flat contact the trees do not help with them.
 constexpr double nearest_listed = 0.001;
-/// Factor on the reach wanted: a shorter list would not outlast the step that it is made for.
+/// Factor on the reach wanted: a list of less reach would not outlast the step that it is made for.
 constexpr double least_ample = 1.5;
 constexpr double most_ample = 32;
 /// From one list to the next.

@@ -6,15 +6,17 @@
 namespace sonde {
 
 /// Chooses the reach of the next list of pairs (neighbour_list.hpp). A list with a larger reach
-/// takes longer to make and serves longer. The cheapest reach depends on how the surfaces lie, so
-/// it is found by hill climbing: the reach keeps growing (or shrinking) as long as the cost of a
-/// list, for the travel that it allows, falls; when the cost rises, the direction is reversed.
+/// takes longer to make and serves longer. The cheapest reach depends on the position of the
+/// surfaces relative to each other, so it is found by hill climbing: the reach keeps growing (or
+/// shrinking) as long as the cost of a list, for the travel that it allows, falls; when the cost
+/// rises, the direction is reversed.
 class NeighbourReach {
  public:
   /// `radius`: the probe's radius, m.
   explicit NeighbourReach(double radius);
 
-  /// True if a list for travel of `wanted` (m) is not worth making. Sometimes it is tried again.
+  /// True if a list for travel of `wanted` (m) is not worth making. Each such answer raises the
+  /// limit a little, so that longer lists are tried again after a time.
   bool is_too_far(double wanted) noexcept;
   /// m: the reach to try if at least `wanted` (m) is needed.
   double choose(double wanted) const noexcept;

@@ -149,7 +149,7 @@ int PairSweep::advance(std::uint32_t i, std::uint32_t j, double s, Vec3& normal)
     const Moment now = at(s);
     const ClosestPoints c = look(now);
     normal = c.normal;
-    // Nearer than the clearance from the start: it may slide or move away with half of its gap.
+    // A pair nearer than the clearance at the start may slide or move away with half of its gap.
     if (s <= 0 && c.gap < 2 * stop) stop = 0.5 * c.gap;
     const double slack = c.gap - stop - guard_;
     const Step step =
@@ -159,8 +159,8 @@ int PairSweep::advance(std::uint32_t i, std::uint32_t j, double s, Vec3& normal)
       result_ = {.free_until = s, .hit = true, .triangle_a = i, .triangle_b = j};
       break;
     }
-    // Where an edge slides over an edge, the separating direction turns with them, and a fixed
-    // direction separates them only for a short way.
+    // Where an edge slides over an edge, the separating direction turns with them; a fixed
+    // direction separates them only on a short part of the path.
     const double end = std::min(s + leap, result_.free_until);
     if (end > s + 2 * step.length) {
       const Moment then = at(end);

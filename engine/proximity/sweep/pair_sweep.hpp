@@ -12,8 +12,8 @@
 
 namespace sonde {
 
-/// How far s may advance before a gap can have lost `slack`. The gap changes at `speed` (negative:
-/// closing) with an acceleration of at most `acceleration`. Units of s.
+/// The advance of s within which a gap cannot lose more than `slack`. The gap changes at `speed`
+/// (negative: closing) with an acceleration of at most `acceleration`. Units of s.
 double safe_advance(double slack, double speed, double acceleration);
 
 /// The motion at one s.
@@ -38,16 +38,16 @@ class PairSweep {
     double length;  ///< in units of s
     bool closing;   ///< the corner that limits the step is approaching
   };
-  /// How far from the given moment the pair is certain to keep the clearance along a normal; 0 if
-  /// it does not have the clearance at that moment.
+  /// The step from the given moment in which the pair certainly keeps the clearance along a normal;
+  /// 0 if it does not have the clearance at that moment.
   Step step_along(std::uint32_t i, std::uint32_t j, const Vec3& normal, const Moment& now) const;
 
   /// Reports the distance of a pair at the start, m.
   void saw_at_start(double distance) { nearest_ = std::min(nearest_, distance); }
-  /// m: the gap along a direction to which a pair may fall on the path, if it has `gap` at the
-  /// start. A pair nearer than the clearance at the start may slide, or move away, with half of its
-  /// gap. A small gap along one direction does not prove that a pair is that near; the nearest
-  /// distance reported does.
+  /// m: the gap along a direction that a pair must keep on the path, if it has `gap` along it at
+  /// the start. This is the clearance, or less for a pair that is nearer at the start: such a pair
+  /// may slide or move away with half of its gap. But a small gap along one direction does not
+  /// prove that the pair is so near; only the nearest distance reported at the start does.
   double floor_of(double gap) const {
     return std::min(clearance_, 0.5 * std::max(gap, nearest_)) + guard_;
   }

@@ -236,8 +236,8 @@ class Sweeper {
     waiting_ = 0;
   }
 
-  /// Most of the remaining pairs only slide past, which a comparison at the end of the path shows,
-  /// eight at a time.
+  /// Most of the remaining pairs only slide past each other. A comparison at the end of the path,
+  /// eight pairs at a time, shows this.
   void advance_open() {
     ClosestPoints8 points;
     closest_points(lanes_at_end_, open_, std::numeric_limits<double>::infinity(), points);
