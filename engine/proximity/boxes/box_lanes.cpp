@@ -105,8 +105,8 @@ SONDE_INLINE void gaps_of(const PlacedBox& box, const Tree::Node& node, std::uin
   store(best - o.rounding, out.value + first);
 }
 
-/// Subtracts from a gap along an axis what the motion `way` can take of it. `d` and `way` are
-/// projections on the axis; the sign of `d` says on which side the gap is.
+/// Subtracts from a gap along an axis the amount by which the motion `way` can reduce it. `d` and
+/// `way` are projections on the axis; the sign of `d` says on which side the gap is.
 template <class Floats>
 SONDE_INLINE void lose(const Floats& d, const Floats& way, Floats& gap) {
   const Floats none{};

@@ -19,7 +19,8 @@ struct Distance {
   bool overlapping = false;  ///< triangles meet, or a component lies inside a solid
 };
 
-/// A first pair of triangles. The pair from the last pose makes the search short.
+/// The pair of triangles with which a search begins. The closest pair at the last pose makes the
+/// search short.
 struct DistanceHint {
   std::uint32_t triangle_a = 0;
   std::uint32_t triangle_b = 0;

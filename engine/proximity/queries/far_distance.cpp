@@ -13,14 +13,15 @@
 namespace sonde {
 namespace {
 
-/// Sizes of the bodies: the float distances of boxes still tell their parts apart nearer than this.
+/// In sizes of the bodies: at less than this distance, the float distances of boxes still
+/// distinguish the parts of a body.
 constexpr double far = 300;
 /// Share of the distance: a smaller gain is rounding.
 constexpr double rounding = 4e-15;
 constexpr std::size_t most_candidates = 1024;
 
-/// A triangle as seen along the line between the bodies: how far it comes towards the other body,
-/// and a circle around it square to the line, m.
+/// A triangle as seen along the line between the bodies: how far it extends towards the other body,
+/// and a circle around it perpendicular to the line, m.
 struct Seen {
   std::uint32_t triangle = 0;
   double towards = -infinity;
@@ -31,8 +32,8 @@ struct Seen {
 /// One of the bodies, seen from the other.
 class View {
  public:
-  /// `towards`: unit, in the body's frame, towards the other. `sideways`: the same two axes for
-  /// both bodies, square to it.
+  /// `towards`: unit, in the body's frame, towards the other. `sideways`: two axes perpendicular to
+  /// it, the same for both bodies.
   View(const Body& body, const Vec3& origin, const Vec3& towards,
        const std::array<Vec3, 2>& sideways)
       : body_(body), origin_(origin), towards_(towards), sideways_(sideways) {}
@@ -65,8 +66,8 @@ class View {
   std::array<Vec3, 2> sideways_;
 };
 
-/// The triangles of one body that come far enough; if there is no room for them, all that there
-/// are.
+/// The triangles of one body that extend far enough towards the other; if there is no room for
+/// them, all triangles of the body.
 class Candidates {
  public:
   Candidates(const View& view, double least) : view_(view), least_(least) {
@@ -119,7 +120,8 @@ std::optional<Distance> far_distance(const Body& a, const Body& b, const Transfo
   };
   compare(first_a, first_b);
   const double gain = rounding * apart;
-  // How much further back than the foremost ones two triangles may be together and still be nearer.
+  // The sum of the distances by which two triangles may lie behind the foremost ones and still be
+  // nearer.
   const double slack = best.distance - gain - (apart - first_a.towards - first_b.towards);
   if (!(slack > 0)) return best;
   const Candidates all_b(of_b, first_b.towards - slack);

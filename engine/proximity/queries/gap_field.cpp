@@ -41,7 +41,7 @@ class Patch {
   }
 
  private:
-  /// By boxes only, which costs next to nothing.
+  /// Compares boxes only, which costs almost nothing.
   bool may_be_near(const Vec3& a, const Vec3& b, const Vec3& c) const {
     Eigen::AlignedBox3d triangle(X_OM_ * a);
     triangle.extend(X_OM_ * b).extend(X_OM_ * c);

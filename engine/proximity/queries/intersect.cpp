@@ -25,8 +25,8 @@ bool boxes_lead_to_a_meeting(const Body& a, const Body& b, const Transform& X_BA
       if (m == Meeting::meeting || doubt == Doubt::contact || meet_exactly(ta, tb)) return true;
       continue;
     }
-    // Bodies that overlap show it soon, in a direct descent; a longer query is of bodies close but
-    // apart.
+    // If the bodies overlap, a direct descent usually finds a common point soon; if the query takes
+    // longer, the bodies are close but apart.
     const Opening opening = ++opened <= straight_down ? Opening::larger : Opening::both;
     at.open_overlapping(p, opening, found);
     // The deepest overlap is examined first, where a hit is most likely.

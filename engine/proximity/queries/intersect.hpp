@@ -15,7 +15,7 @@ enum class Doubt { exact, contact };
 bool triangles_meet(const Body& a, const Body& b, const Transform& X_BA, Doubt doubt);
 
 /// triangles_meet, or a connected component of one body lies inside the other, if that is a solid.
-/// The negation is *free*.
+/// A pose without overlap is called *free*.
 bool overlap(const Body& a, const Body& b, const Transform& X_BA, Doubt doubt);
 
 }  // namespace sonde

@@ -40,7 +40,7 @@ inline double rounding_guard(double extent_a, double extent_b, const Vec3& trans
 bool balls_are_apart(const Body& a, const Body& b, const Transform& X_BA);
 
 /// Takes boxes of one tree to the frame of the other: x → R (x − from) + p, relative to the origin
-/// `to`, all in a unit of which a metre has per_unit.
+/// `to`. All lengths are in a unit of which a metre has `per_unit`.
 struct FrameChange {
   using Column = FloatX4;
   Column R[3];

@@ -33,8 +33,8 @@ Vec3 nearest_by_regions(const Vec3& a, const Vec3& b, const Vec3& c) {
   return a + (vb * ab + vc * ac) / (va + vb + vc);
 }
 
-/// The nearest point of one triangle. Seen along the direction found, no corner may be nearer, up
-/// to rounding; otherwise the robust method computes it again.
+/// The nearest point of one triangle. If a corner is nearer along the direction found, by more than
+/// rounding, the point is wrong, and the robust method computes it again.
 NearestPoint nearest_of(const Corners& t, const Vec3& x) {
   const Vec3 a = t[0] - x, b = t[1] - x, c = t[2] - x;
   const Vec3 p = nearest_by_regions(a, b, c);

@@ -18,10 +18,10 @@ struct SelfIntersections {
   bool all = true;                       ///< false: the limit was reached, and there are more
 };
 
-/// Exact, for a soup with one vertex for each place and no degenerate triangle (Body::soup). Two
+/// Exact, for a soup without duplicate vertices and without degenerate triangles (Body::soup). Two
 /// triangles meet if they have more in common than the corners or the edge that they share; two
-/// triangles with the same three corners are repeated, which is no crossing. Ends at `most` pairs.
-/// The progress is estimated from the expected number of pairs. Throws Cancelled.
+/// triangles with the same three corners are duplicates and do not count as meeting. Ends at `most`
+/// pairs. The progress is estimated from the expected number of pairs. Throws Cancelled.
 SelfIntersections self_intersections(const Soup& soup, const Progress& progress = {},
                                      std::size_t most = 1'000'000);
 

@@ -46,8 +46,8 @@ class TriangleBatch {
   }
 
  private:
-  /// A cache: the same triangle of A comes with several triangles of B in sequence, and so do its
-  /// neighbours, which are next to it in the order of the tree.
+  /// Caches placed triangles: a query compares the same triangle of A with several triangles of B
+  /// in a row, and then its neighbours, which are next to it in the order of the tree.
   const Corners& placed(std::uint32_t i) {
     return placed_.at(i, [&](std::uint32_t k) { return place(X_, corners(surface(a_), k)); });
   }

@@ -80,9 +80,9 @@ struct Face {
   Number inside[2][3];  ///< [edge][corner of the other]
 
   /// The cross product of the two short edges (with the caller's sign) has the smallest rounding
-  /// error. In a needle without a short edge it may still be turned, by up to a right angle. A turn
-  /// about the needle does no harm. The component along the longest edge is removed; if almost
-  /// nothing remains, the triangle has no face.
+  /// error. In a needle without a short edge, its direction may still be wrong by up to a right
+  /// angle. An error about the axis of the needle does no harm. The component along the longest
+  /// edge is removed; if almost nothing remains, the triangle has no face.
   void set(const Triangle& t, const Vector& product) {
     normal = product - (dot(product, t.edge[2]) * t.inverse2[2]) * t.edge[2];
     normal2 = dot(normal, normal);
