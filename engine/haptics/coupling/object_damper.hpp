@@ -13,15 +13,16 @@ namespace sonde {
 ///
 ///     (F, τ) = −b Yᵀ ẏ,   a power on the hand of −b |ẏ|²
 ///
-/// So it takes energy out whatever the contact is like. A force of b ẏ that ignores how Q follows
-/// the device, as the classic coupling's, gives energy where a contact bends away from the probe:
-/// there the separation turns faster than the device moves.
+/// So it dissipates energy, whatever the contact is like. A damping force b ẏ that ignores how Q
+/// follows the device, as in the classic coupling, adds energy where a contact bends away from the
+/// probe: there the separation turns faster than the device moves.
 
-/// Y, with `d_separated` how Q moves with O (WrenchDerivative): rows as y, columns (ẋ, ω).
+/// The matrix Y. Its rows are the components of y, its columns those of (ẋ, ω). `d_separated` is
+/// the derivative of Q with respect to O (WrenchDerivative).
 Mat6 separation_jacobian(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ,
                          const Mat6& d_separated);
 
-/// The damper's wrench. Not sampled: `rate` is ẏ, m/s.
+/// The damper's wrench. `rate` is the exact ẏ, m/s, not a difference of samples.
 Wrench object_damper(const Mat6& jacobian, const Vec6& rate, double damping);
 
 }  // namespace sonde

@@ -15,7 +15,8 @@ struct HandTrial;
 struct DeviceTraits {
   double damping = 0;  ///< N·s/m, of the mechanism
   double delay = 0;    ///< s, from command to motors
-  /// Largest ratio of the probe's displacement to the hand's; 0: no force can throw this hand.
+  /// Largest ratio of the probe's displacement to the hand's; 0: no force can make this hand run
+  /// away (Runaway).
   double ratio = 1;
   double turn_ratio = 1;  ///< the same for rotation
   // Largest virtual damping that its driver allows; 0: unknown.
@@ -40,7 +41,7 @@ struct HandSample {
   Pose X_FM;             ///< the probe's mesh frame in the fixed body's
   bool held = true;      ///< false: the clutch is open; the probe stays, and there is no force
   bool trusted = true;   ///< false: the pose is old or impossible; there is no force
-  bool changed = false;  ///< another hand, or new axes of the same: no force in this tick
+  bool changed = false;  ///< another hand, or the same with new axes: no force in this tick
   std::optional<DeviceTraits> device = {};  ///< none: unknown device
   /// For a hand that is being measured, valid until its next sample: the loop renders this instead
   /// of the contact's wrench. Null for every other hand.

@@ -27,7 +27,7 @@ class HandSwitch {
   /// A paused hand is not sampled: its pose stays. Its first sample after the pause gets dt = 0.
   void set_paused(bool paused) { paused_.store(paused, std::memory_order_relaxed); }
   void set(std::shared_ptr<const Hand> next);
-  /// Frees the hands that the servo no longer uses. To be called from time to time.
+  /// Frees the hands that the servo no longer uses. Call it from time to time.
   void sweep();
   std::size_t kept() const { return kept_.size(); }
 

@@ -47,12 +47,13 @@ struct HandleState {
 /// Rotations follow the same equation; their spring acts on the rotation vector from handle to
 /// target. f is constant between samples, and x_h moves in a straight line (and turns about one
 /// axis). The matrix exponential solves this exactly between samples. So no gain, the hand's
-/// included, is too high for the *simulation*: what buzzes here would buzz in the hand. Two things
-/// are not exact but become more accurate with the rate. Coulomb friction is constant over a step
-/// and never more than the force that stops the handle by its end (a handle at rest stays, exactly,
-/// below the limit of friction). A rotation whose axis changes loses a little energy.
+/// included, is too high for the *simulation*: a loop that buzzes here would also buzz on a real
+/// device. Two things are not exact but become more accurate with the rate. Coulomb friction is
+/// constant over a step and never exceeds the force that brings the handle to rest at the end of
+/// the step (a handle at rest stays exactly at rest as long as the forces are below the limit of
+/// friction). A rotation whose axis changes loses a little energy.
 ///
-/// Same input, same bits.
+/// The same input gives the same bits.
 class SimulatedDevice {
  public:
   static constexpr std::size_t most_samples_late = 64;
@@ -104,7 +105,7 @@ class SimulatedDevice {
   SimulatedDeviceParameters parameters_;
   double sample_time_;
   std::size_t samples_late_;  ///< whole samples from command to motors
-  Part older_;                ///< while the motors still output the last command: rest of the delay
+  Part older_;                ///< the rest of the delay: the motors still output the last command
   Part newer_;
   HandleState state_;
   Pose X_WH_;

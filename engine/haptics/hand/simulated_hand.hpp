@@ -14,8 +14,8 @@ namespace sonde {
 /// scene. As with a real device, the handle gets `scaling` times the force, so that the hand does
 /// the work that is done on the probe.
 ///
-/// Its time is counted in ticks, each as long as the nominal period of the servo. A late tick slows
-/// the simulation down, but does not make it shake.
+/// Its time is counted in ticks, each as long as the nominal period of the servo. So a late tick
+/// slows the simulation down, but does not disturb the motion.
 class SimulatedHand {
  public:
   /// `period` of the servo in s; the probe is at X_FM, and `com` is its centre of mass in its mesh
@@ -50,7 +50,7 @@ class SimulatedHand {
   /// The data that depends on the period.
   struct Pace {
     SimulatedDevice device;
-    double share;          ///< share of the way to the target that the hand moves in a tick
+    double share;          ///< share of the distance to the target that the hand moves in a tick
     double mass, inertia;  ///< of the handle
   };
   static Pace pace_of(const SimulatedDeviceParameters& parameters, double period);

@@ -25,8 +25,8 @@ struct BackgroundResult {
   std::optional<FoundWay> pdt;        ///< translation only; none if the search failed
   std::optional<double> lower_bound;  ///< of √PD_g, m
   std::optional<BoundWitness> witness = {};  ///< of that bound
-  /// Separation::far_out of the search that found `nearest`, or that found none as near as the way
-  /// that the loop followed.
+  /// Separation::far_out of the search that found `nearest`. If `nearest` is the pose that the loop
+  /// followed, of the search that found no pose as near as that.
   bool far_out = false;
   double budget_us = 0;  ///< of each of the two searches; 0: none
   double sure = 0.9;     ///< StaticOptions::sure of both
@@ -38,12 +38,12 @@ struct BackgroundResult {
 /// times.
 BackgroundResult searched_fully(const Pair& pair, const Pose& X_FM);
 
-/// The result, with the separated pose that the loop followed as the nearest one, if that is
-/// nearer: from the same device pose it is a way out too, and a short search may miss it.
+/// The result, with `nearest` replaced by the separated pose that the loop followed, if that is
+/// nearer: it separates the bodies from the same device pose, and a short search may miss it.
 BackgroundResult with_followed(BackgroundResult search, const Separation& followed);
 
-/// How a separated pose that the loop followed compares with the global search from the same device
-/// pose.
+/// How the separated pose that the loop followed compares with the result of the global search from
+/// the same device pose.
 enum class WayOut {
   unknown,         ///< the search answered for another pose, or not at all
   nearest,         ///< the search knows no nearer pose
@@ -54,7 +54,7 @@ WayOut way_out(const Separation& followed, const BackgroundResult& search);
 /// A sentence for the window; "" if there is nothing to say.
 const char* words(WayOut way);
 
-/// A thread that searches for the ways out of the newest requested pose.
+/// Searches in its own thread for the nearest separated poses of the newest requested device pose.
 class BackgroundSearch {
  public:
   explicit BackgroundSearch(const Pair& pair);
@@ -64,8 +64,8 @@ class BackgroundSearch {
   void request(const Pose& X_FM);  ///< replaces a request not yet begun
   /// Whether results report where their time went, for requests from now on; off initially.
   void set_time_phases(bool on);
-  /// StaticOptions::sure of results from now on; 0.9 initially. A pose whose result was of another
-  /// share is searched again.
+  /// Sets StaticOptions::sure of the searches from now on; 0.9 initially. A pose whose result was
+  /// computed with another value is searched again.
   void set_sure(double share);
   std::optional<BackgroundResult> latest();  ///< the newest finished result, if any
 

@@ -101,7 +101,8 @@ void ContactFeed::gather(const Budget& budget) noexcept {
     if (marked_[static_cast<std::size_t>(i)]) add(near_.contact(i));
   for (int i = 0; i < rows; ++i) {
     if (marked_[static_cast<std::size_t>(i)]) continue;
-    // Nearest first: a row that finds no room is no nearer than the last one that did.
+    // The rows come in the order of their gaps, the nearest first. So a row for which there is no
+    // room is no nearer than the last one added.
     if (add(near_.contact(i))) continue;
     contacts_.reach = std::min(contacts_.reach, near_.contact(i).gap);
     break;

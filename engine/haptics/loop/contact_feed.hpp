@@ -37,8 +37,9 @@ class ContactFeed {
   /// Gathers the rows near the separated pose. If that is near the last one, or if the effort runs
   /// out, moves the last rows with the probe instead. Returns their reach from there, m.
   double gather_near(const Chart& chart, double flat, Effort& effort) noexcept;
-  /// Marks the rows that would hold the probe if the device moved elsewhere: further along its
-  /// motion, or by `far` (m, for a point at the probe's radius) in any of twelve directions.
+  /// Marks the rows that would hold the probe at other device poses near by: further along the
+  /// device's motion, or moved by `far` (m, for a point at the probe's radius) in any of twelve
+  /// directions.
   void mark_support(double far) noexcept;
   void mark_holding(const Pose& device) noexcept;
 

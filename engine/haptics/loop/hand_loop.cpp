@@ -89,15 +89,15 @@ Withheld HandLoop::overdue(const LocalContacts& contacts, const Clock& clock) co
   return of_before && in_time ? rest_ : Withheld::stalled;
 }
 
-/// Follows the newest pose that can be true. Only a known device can be thrown by the force: a
-/// mouse may jump as it likes.
+/// Follows the newest plausible pose. Only a known device can be thrown by the force; a mouse may
+/// jump arbitrarily.
 void HandLoop::follow(const HandSample& sample, double dt) noexcept {
   const bool trusted = sample.trusted && is_finite(sample.X_FM);
   const Pose before = X_FM_;
   if (trusted) X_FM_ = sample.X_FM;
   const bool can_throw = sample.device && !sample.trial;
   const ThrownSpeed fastest = can_throw ? thrown_speed(*sample.device, fastest_) : fastest_;
-  // The ratio of a hand that the mouse leads is unknown.
+  // A hand that follows the mouse (SimulatedHand) states no ratio.
   const double ratio = can_throw && sample.device->ratio > 0 ? sample.device->ratio : 1;
   // Uses the setting: if a device reports less often than the servo samples, one tick may contain
   // the motion of several.
@@ -124,12 +124,12 @@ void HandLoop::measure_way(const Pose& before, double fastest, double dt) noexce
   const double force = out_.wrench.force.norm();
   const double given = force > 0 ? out_.wrench.force.dot(moved) / force : 0;
   yields_ = dt > 0 ? given / dt : 0;
-  // A motion in the direction of the force is no reason for more force.
+  // The force may grow only with motion against it or across it, not with motion in its direction.
   if (given > 0) way_ = std::sqrt(std::max(0.0, way_ * way_ - given * given));
 }
 
 /// Limits the change of the wrench: to twice what the hand's own motion can cause, plus the rate at
-/// which other causes may change it (a contact that jumps to another place, a pose that is wrong
+/// which other causes may change it (a contact that jumps to another position, a pose that is wrong
 /// for a tick, other gains). Out of contact the wrench ends immediately, unless the pose leapt
 /// there.
 void HandLoop::set_slew(double dt) noexcept {
@@ -167,7 +167,7 @@ void HandLoop::set_change_rate(const HandSample& sample) noexcept {
   if (sample.device && !sample.trial)
     rate_ = change_rate_at_probe(of_hand_, most_force(), most_torque(), sample.device->ratio,
                                  sample.device->turn_ratio);
-  // If the handle yields to the force, as one that nobody holds, the force rises more slowly.
+  // If the handle yields to the force, as it does if nobody holds it, the force rises more slowly.
   const double share = std::clamp(1 - yields_ / slow_enough, 0.01, 1.0);
   rate_.force *= share;
   rate_.torque *= share;

@@ -85,8 +85,8 @@ class HandLoop {
   const HandTick& tick(const HandSample& sample, const LocalContacts& contacts, const Clock& clock,
                        Withheld why) noexcept;
   /// A tick without computation: the hand gets no force, and the next force rises from zero. The
-  /// rows age meanwhile, which is no fault of the geometry; so `why` remains the reason until the
-  /// geometry has answered again within its time limit.
+  /// rows grow old meanwhile, but that is no fault of the geometry. So `why` remains the reason
+  /// until the geometry has answered again within its time limit.
   const HandTick& rest(Withheld why) noexcept;
 
   /// A tick of the shutdown: the last wrench falls to zero, at its permitted rate of change or

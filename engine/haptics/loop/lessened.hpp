@@ -6,8 +6,8 @@
 namespace sonde {
 
 /// Why the force or the torque on the hand differs from the coupling's. If there are several
-/// reasons, the one that decides now: a force that is still rising is far below its limit, whatever
-/// is wanted.
+/// reasons, the one that determines the value now: for example, a force that is still rising is far
+/// below its limit, whatever the coupling wants.
 enum class Lessened {
   nothing,
   coming_in,  ///< it rises from zero after a start or a fault (SafetySettings::ramp_time)

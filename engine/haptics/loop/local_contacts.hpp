@@ -10,8 +10,8 @@
 
 namespace sonde {
 
-/// The condition of a contact on any pose of the probe: its point a stays on the outer side of the
-/// plane through b, which is fixed in the world.
+/// A contact as a constraint on the pose of the probe: the probe's point a stays on the outer side
+/// of the plane through b. The plane is fixed in the world.
 struct LocalContact {
   Vec3 on_probe = Vec3::Zero();  ///< a, in the probe's mesh frame, m
   Vec3 on_fixed = Vec3::Zero();  ///< b, in the fixed body's mesh frame, m
@@ -25,8 +25,8 @@ struct LocalContacts {
   static constexpr int capacity = loop_tuning.most_rows;
   std::array<LocalContact, capacity> rows;  ///< those that hold the probe first
   int size = 0;
-  /// m. As long as no point of the probe has moved further than this from its place at the
-  /// separated pose, the probe meets nothing without a row here.
+  /// m. As long as no point of the probe is further than this from its position at the separated
+  /// pose, the probe can meet only features that have a row here.
   double reach = 0;
   Separation separation;    ///< for the device pose of that tick; failed: there are no rows
   std::uint64_t tick = 0;   ///< the tick of the servo that sampled the pose
@@ -39,9 +39,9 @@ struct LocalContacts {
 /// The answer of the rows at another device pose.
 struct LocalAnswer {
   Separation separation;  ///< of the new device pose; iterations and converged are the geometry's
-  /// The rows have no common point, or the solution is farther from the geometry's separated pose
-  /// than they are trusted. The answer goes only that far, so the force is that of a probe that
-  /// lags behind.
+  /// The half-spaces of the rows have no common point, or the solution is farther from the
+  /// geometry's separated pose than the rows are trusted (LoopTuning::trusted). The answer then
+  /// goes only as far as that, so the force is that of a probe that lags behind.
   bool held_back = false;
 };
 
@@ -57,10 +57,11 @@ struct LocalAnswer {
 /// jumps. While contacts persist the error is of the order of δ²/ρ, with ρ the radius of curvature
 /// of the contact.
 ///
-/// Beyond the reach of the rows nothing is known, but most surfaces continue as they are. So the
-/// separated pose may move by a tenth of the probe's radius, or by the reach if that is more, and
-/// no farther. A probe that lags takes energy from the hand; one that passed through a surface
-/// would give energy once the geometry noticed.
+/// Beyond the reach of the rows the contacts are unknown, but most surfaces continue smoothly. So
+/// the separated pose may move by a tenth of the probe's radius, or by the reach if that is more,
+/// but no farther. This errs on the safe side: a probe that lags takes energy from the hand,
+/// whereas one that has passed through a surface would give energy to the hand as soon as the
+/// geometry noticed.
 LocalAnswer separate_locally(const MassProperties& mass, Method method,
                              const LocalContacts& contacts, const Pose& X_FM) noexcept;
 

@@ -18,12 +18,12 @@ struct LoopTuning {
   /// Near pairs from which rows are made. If there are more, the reach is smaller.
   std::size_t most_pairs = 192;
   double widest = 0.5;  ///< reach: no probe moves further while the geometry is busy
-  /// Share of the reach of the near rows: motion of the probe up to which they are not gathered
-  /// again. Until then they move with it, and their reach decreases by the motion. Processor time
-  /// of the geometry beyond the solver's, median and 90th percentile in us, with 0 and with this:
-  /// nut-on-bolt 197, 1314 and 30, 862; peg-in-hole 128, 485 and 14, 341; spoon-in-cup 85, 501 and
-  /// 2, 159. The errors of rows that are 1 to 20 ticks old are the same (`sonde-ages`), also with
-  /// 0.25, which gains little.
+  /// Share of the reach of the near rows: as long as the probe has moved by less, they are not
+  /// gathered again. They move with the probe, and their reach decreases by the motion. Processor
+  /// time of the geometry beyond the solver's, median and 90th percentile in us, with 0 and with
+  /// this: nut-on-bolt 197, 1314 and 30, 862; peg-in-hole 128, 485 and 14, 341; spoon-in-cup 85,
+  /// 501 and 2, 159. The errors of rows that are 1 to 20 ticks old are the same (`sonde-ages`),
+  /// also with 0.25, which gains little.
   double moved_with_rows = 0.1;
   /// Share of the solver's budget that gathering rows may take in addition. If that runs out, the
   /// last rows move with the probe, and the next gather continues the list of pairs and has a
@@ -47,21 +47,23 @@ struct LoopTuning {
   double settled_depth = 1e-5;   ///< share of |y|: the last round changes the rows by less
   double settled_radius = 1e-9;  ///< the same, share of R
   double least_part = 1e-3;  ///< share of a step that turns too far: a smaller part is not tried
-  /// Distance that the separated pose may move from the geometry's, or the reach of the rows if
-  /// that is more. Beyond, it lags, and `held_back` is set.
+  /// Distance that the separated pose may move from that of the geometry; if the reach of the rows
+  /// is larger, that counts instead. If it would move farther, it lags, and `held_back` is set.
   double trusted = 0.1;
 
   // Searches outside the loop
-  /// Limits of the search for a start in overlap, which the user waits for: it needs a pose to
-  /// follow from, not the last per cent (StaticOptions).
+  /// Limits of the search for a start in overlap (StaticOptions). The user waits for it, and it
+  /// only has to find a separated pose to follow from, not the nearest one to the last per cent.
   int starts_at_begin = 64;
   int agreement_at_begin = 6;
-  /// Limits of the background search: its answer should follow the hand, and closing should not
-  /// wait for it. The answer may be deeper for that, but everything that it states is true.
+  /// Limits of the background search: its answer should keep up with the hand, and the end of the
+  /// program should not wait for it. These limits may make the answer deeper, but everything that
+  /// it states remains true.
   double background_us = 300'000;
   int background_starts_pdt = 6;
-  /// Share of the followed depth: both depths are iterative, so a smaller difference is no other
-  /// way.
+  /// Share of the followed depth: a pose of the search counts as nearer only if its depth is below
+  /// this. Both depths are results of iterations, so a smaller difference does not show a different
+  /// separating motion.
   double clearly_nearer = 0.98;
 };
 inline constexpr LoopTuning loop_tuning;

@@ -26,7 +26,7 @@ struct Snapshot {
   double tick_us = 0;      ///< computing time of the tick
   double rate_hz = 0;      ///< measured over the last 100 ms or so
   std::uint64_t late = 0;  ///< ticks that began or ended past their deadline, so far
-  bool paused = false;     ///< the rest is of the last tick; the hand gets no force
+  bool paused = false;     ///< the other fields are of the last tick; the hand gets no force
 };
 
 /// How well the servo keeps its deadlines, since the start.
@@ -46,9 +46,9 @@ struct ServoSettings {
   /// Limit of the geometry thread for each answer of the solver. It does not limit the servo's own
   /// tick: one that ends past its deadline is only counted (Snapshot::late).
   Budget budget{.steps = 0, .microseconds = 800};
-  /// An alternative to the time of the budget: the error that nine of ten ticks should keep, as a
-  /// share of the largest depth; 0: not given. The servo itself uses the budget only: with_budget()
-  /// sets that.
+  /// Can be given instead of the time of the budget: the error that nine of ten ticks should not
+  /// exceed, as a share of the largest depth; 0: not given. The servo itself uses only the budget;
+  /// with_budget() sets the budget from the accuracy.
   double accuracy = 0;
   SafetySettings safety;
   PassivitySettings passivity;

@@ -16,19 +16,20 @@ struct BorneStiffness {
 /// The stiffness that the device's maker states.
 BorneStiffness borne_by_device(const DeviceTraits& device) noexcept;
 
-/// The stiffness at which a sampled wall on this handle begins to oscillate in the lightest hand of
-/// a study, along one axis: K (T/2 + t_d) = b, with b the damping of mechanism and hand.
-/// Translation and rotation are treated separately, so it is an estimate, and no replacement for a
-/// study. Unknown if the device's damping is unknown.
+/// The stiffness at which a sampled virtual wall rendered on this handle begins to oscillate along
+/// one axis, held by the lightest hand that a stability study considers: K (T/2 + t_d) = b, with b
+/// the damping of mechanism and hand. Translation and rotation are treated separately, so it is an
+/// estimate, and no replacement for a study. Unknown if the device's damping is unknown.
 BorneStiffness stable_by_estimate(const DeviceTraits& device, double sample_time) noexcept;
 
-/// The gains, reduced to that stiffness. In the object norm the stiffness felt in a rotation is up
-/// to 1.2 kÎ.
+/// The gains `wanted`, reduced so that no stiffness exceeds `most`. In the object norm, the
+/// stiffness felt in a rotation is up to 1.2 kÎ.
 Coupling borne(const Coupling& wanted, const BorneStiffness& most,
                const MassProperties& mass) noexcept;
 
-/// The share of the way from old gains to new ones that may be made in all, so that no gain becomes
-/// stiffer than both that limit and before; 1 between modes.
+/// The share of the change from old gains to new ones that is allowed in all: as much as leaves
+/// every gain at or below the limit `most`, or at or below its old value. 1 if the change is from
+/// one mode to another.
 double share_of_way(const GainGlide& glide, const BorneStiffness& most,
                     const MassProperties& mass) noexcept;
 

@@ -14,8 +14,9 @@ struct ChangeRate {
   double torque = 0.1;  ///< N·m/s; 0: no limit
 };
 
-/// The same rate at the probe, and at most the whole of these limits in a second. The hand gets the
-/// probe's wrench times `ratio` (`turn_ratio`); 0: unknown, taken as 1.
+/// The rate `of_hand`, converted to the probe, and first limited so that a change from zero to
+/// max_force (max_torque) takes at least a second. The hand gets the probe's wrench times `ratio`
+/// (`turn_ratio`); 0: unknown, taken as 1.
 ChangeRate change_rate_at_probe(const ChangeRate& of_hand, double max_force, double max_torque,
                                 double ratio, double turn_ratio) noexcept;
 

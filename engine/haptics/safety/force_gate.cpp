@@ -88,7 +88,8 @@ Wrench ForceGate::pass(const Wrench& wanted, Withheld why, double max_force, dou
   out.torque *= share_;
   slewed_ = false;
   const bool close = pushes || !slew_.ends_at_once;
-  // A falling wrench may change faster: it pushes nobody, and an old force must not stay.
+  // A falling wrench may change faster: it does not accelerate the hand, and an outdated force must
+  // not remain.
   const auto falling = [&](const Vec3& to, const Vec3& from) {
     return settings_.fade_time > 0 && to.norm() < from.norm() ? from.norm() / settings_.fade_time
                                                               : 0;

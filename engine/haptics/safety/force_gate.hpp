@@ -25,7 +25,7 @@ enum class Withheld {
 const char* words(Withheld why);
 
 struct SafetySettings {
-  double ramp_time = 0.3;       ///< s in contact until the full force, at least
+  double ramp_time = 0.3;       ///< s: least time in contact until the force is full
   ChangeRate change_rate = {};  ///< for a hand on a known device
   double force_slew = 5000;     ///< N/s, largest change of the force; 0: no limit
   double torque_slew = 250;     ///< N·m/s
@@ -42,9 +42,9 @@ struct SafetySettings {
 /// The last check of a wrench on its way to the hand. The force rises from zero after a start, and
 /// after anything that withheld it. It changes no faster than its slew limits. It stays below the
 /// limits of the coupling (Coupling::max_force and max_torque). It is zero immediately while it is
-/// withheld. One exception: if the answer has not converged, the force fades, because one such tick
-/// is no reason to let go of a wall. The ramp advances only while there is a force to give: a
-/// contact made long after a fault also rises slowly.
+/// withheld. One exception: if the answer has not converged, the force fades, because a single such
+/// tick should not make the force of a wall vanish. The ramp advances only while there is a force
+/// to give: a contact made long after a fault also rises slowly.
 ///
 /// See also the other limits of the wrench. Before the gate, Coupler::wrench
 /// (engine/haptics/coupling/coupler.cpp) scales it down to the limits of the coupling. After it,

@@ -6,7 +6,8 @@
 
 namespace sonde {
 
-/// Speed of a handle that is thrown, m/s and rad/s, at the hand; 0: no limit.
+/// Speed above which a handle counts as thrown: accelerated away by the force of the loop. In m/s
+/// and rad/s, at the hand; 0: no limit.
 struct ThrownSpeed {
   double way = 0;
   double turn = 0;
@@ -17,11 +18,12 @@ struct ThrownSpeed {
 /// itself, and at most `most`. An unknown mass is taken as that of a light arm.
 ThrownSpeed thrown_speed(const DeviceTraits& device, const ThrownSpeed& most) noexcept;
 
-/// Detects a loop that diverges, by its effect: it throws the hand. The force is limited to the
-/// device's. So a loop that is slightly unstable only buzzes, which the user feels and sees; this
-/// class does not react to it. But a loop whose force feeds the motion (a device that reports a
-/// wrong pose, a gain far above the stable one) moves the handle faster than a hand that feels
-/// something moves. The makers' own drivers end the force in the same case.
+/// Detects a loop that diverges, by its effect: it throws the hand. The force is limited to what
+/// the device can give. So a loop that is slightly unstable only buzzes, which the user feels and
+/// sees; this class does not react to it. But a loop whose force feeds the motion (a device that
+/// reports a wrong pose, a gain far above the stable one) moves the handle faster than a user who
+/// feels a contact moves the hand. In this case, the drivers of the devices' makers switch the
+/// force off too.
 ///
 /// A torque throws the handle as a force does, so displacement and turn each have a limit. The
 /// velocities are averaged over some 20 ms, as vectors, so that oscillations, the grid of an
@@ -35,15 +37,16 @@ class Runaway {
 
   /// Call it for another hand or another scene.
   void restart() noexcept;
-  /// Call it if the next sample is not continuous with the last. The detection is kept: a handle
-  /// that is thrown soon reaches a place where its device is not trusted.
+  /// Call it if the next sample is not continuous with the last. seen() keeps its value, because a
+  /// thrown handle soon reaches a position at which its device is no longer trusted.
   void lose_track() noexcept;
   /// The displacement (m) and the turn (rad, a rotation vector) of the hand in the dt (s) since the
   /// last call, and whether a wrench acted on it.
   void observe(const Vec3& way, const Vec3& turn, double dt, bool pushed) noexcept;
   /// Call it while the probe is out of contact: a hand that is slow again then counts as held.
   void release() noexcept;
-  /// True if the hand was too fast under a force, or just after it, and not held since.
+  /// True if the hand was too fast under a force, or just after one, and has not counted as held
+  /// since (release()).
   bool seen() const noexcept { return seen_; }
 
  private:
