@@ -45,7 +45,7 @@ struct BoundTuning {
   double last_stride = 0.5;      ///< times the depth: first step of the final ascent
   int last_ascent = 10;          ///< evaluations of the final ascent
   double inwards[3] = {0.75, 0.5, 0.25};  ///< factors on the distance from the centre of mass
-  double as_deep = 0.97;  ///< times the depth: the walk inwards ends at a shallower point
+  double as_deep = 0.97;  ///< times the depth: the search inwards ends at a shallower point
 
   // Crossings (best_crossing). Each limit leaves out curves that might have proved more.
   double worth_crossings =

@@ -19,7 +19,8 @@ struct Place {
   Vec3 normal;
 };
 
-/// Distance of two places that belong to one cluster, m; infinite if they do not.
+/// Distance, m, of the points of two contacts if these belong to one cluster; infinite if they do
+/// not.
 double apart(const Place& p, const Place& q, double radius) {
   const double cosine = p.normal.dot(q.normal);
   const Vec3 way = q.point - p.point;

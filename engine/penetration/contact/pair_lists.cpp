@@ -90,7 +90,8 @@ void PairLists::end(bool fits) noexcept {
 }
 
 void PairLists::renew(const Transform& X, const Wanted& wanted, Effort& effort) noexcept {
-  // A list pays if the steps are short compared with its reach; long steps walk the trees.
+  // A list pays if the steps are short compared with its reach; for long steps, the trees are
+  // traversed instead.
   if (serving().capacity() == 0 || reach_.is_too_far(travel(wanted))) return;
   NeighbourList& list = next();
   if (!(list.reach_when_finished(X, wanted.path) > wanted.reach_acceptable))

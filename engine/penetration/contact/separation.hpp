@@ -73,7 +73,8 @@ struct ContactSet {
   }
 };
 
-/// Contacts at one place, with the one wrench that they add up to (contact_clusters.hpp).
+/// Contacts that belong together, represented by the wrench that they add up to
+/// (contact_clusters.hpp).
 struct ContactCluster {
   /// The representative contact. Its normal is that of the resultant force, its multiplier λ the
   /// size of that force in metres, its points the centre of pressure.

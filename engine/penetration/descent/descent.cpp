@@ -14,7 +14,8 @@ namespace {
 /// Cost of a step in units of Effort, besides what is counted where it is spent.
 constexpr int work_of_step = 500;
 
-/// The fraction of the way from one turn to another, both as v, at which |v| reaches `limit`.
+/// The fraction of the straight line from one turn to another, both as v, at which |v| reaches
+/// `limit`.
 double part_to_rim(const Vec3& from, const Vec3& to, double limit) {
   const Vec3 along = to - from;
   const double a = along.squaredNorm(), b = from.dot(along);
@@ -289,7 +290,8 @@ class Descent::Run {
     const double off = (out_.held - y_).norm();
     const double enough =
         std::max(goal_.residual * y_.norm(), descent_tuning.off_in_margins * margin_);
-    // If no row holds the probe, it can move all the way to the device pose, however near that is.
+    // If no row holds the probe, it can move to the device pose, so it is not settled before that,
+    // however near that pose is.
     const bool held = out_.contacts.size > 0 && off <= enough &&
                       rows_.smallest_gap() <= descent_tuning.settled_gap * margin_;
     return held || !(off > 0);

@@ -12,11 +12,11 @@ namespace sonde {
 namespace {
 
 /// Room is searched for this many moves: twice as many after a success, half as many after a
-/// failure. A look costs as much as several plain ticks.
+/// failure. A call of look() costs as much as several ticks without one.
 constexpr double least_asked = 16, most_asked = 512;
 /// R: the motion assumed for a probe that stands still.
 constexpr double least_move = 1e-4;
-/// In moves: less room than this is not worth a look.
+/// In moves: less room than this does not repay a call of look().
 constexpr double fewest_moves = 8;
 /// R: limit of the room. Within half of it, the probe turns by less than a step of a descent may.
 constexpr double most_room = 0.5;

@@ -33,9 +33,9 @@ class FarApart {
   const Body& fixed_;
   Pose centre_;
   double used_up_at_ = 0;  ///< m: motion up to which the probe is free; 0: unknown
-  int wait_ = 0;           ///< ticks until the next look
+  int wait_ = 0;           ///< ticks until the next measurement
   int next_wait_ = 1;
-  double asked_ = 16;  ///< the next look asks for room for this many motions
+  double asked_ = 16;  ///< the next measurement asks for room for this many motions
 };
 
 }  // namespace sonde

@@ -9,8 +9,9 @@
 namespace sonde {
 namespace {
 
-/// Maximum number of starts that a place known from another search counts for: a search that must
-/// not end by agreement sets a limit too large to add to.
+/// Maximum number of starts for which a local optimum known from another search counts. (A search
+/// that must not end by agreement sets options.agreement to a number so large that a sum would
+/// overflow.)
 constexpr int most_known = 1'000'000;
 
 }  // namespace

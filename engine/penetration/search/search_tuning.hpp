@@ -11,9 +11,9 @@ namespace sonde {
 /// radius; the best depth is the least found so far.
 ///
 /// Unless a line says otherwise, the numbers were chosen by trial on the poses of
-/// `tests/reference/depths.csv` with three seeds (`sonde-depths`; the rows are those of "How near
-/// the static search comes to the best known depth" in resources/docs/understand/measurements.md).
-/// A number without a figure of its own was chosen together with its neighbours. For studies,
+/// `tests/reference/depths.csv` with three seeds (`sonde-depths`; for its tables see "How near the
+/// static search comes to the best known depth" in resources/docs/understand/measurements.md). A
+/// number without a figure of its own was chosen together with its neighbours. For studies,
 /// separate_static accepts another struct of this type.
 struct SearchTuning {
   // Budgets

@@ -20,8 +20,8 @@ namespace sonde {
 struct HalfSigma {
   double sigma = 0;
   Vec6 wrench = Vec6::Zero();  ///< (F, τ) at k = 1: ∂U/∂Q, and −∂U/∂O
-  /// Derivative of the wrench with respect to Q, and, negated, to O, where the turn of O does not
-  /// turn F's axes.
+  /// Derivative of the wrench with respect to Q. Negated, it is the derivative with respect to O,
+  /// but without the term for the wrench's turning with O.
   Eigen::Matrix<double, 6, 6> by_motion = Eigen::Matrix<double, 6, 6>::Zero();
 };
 /// If a turn about a principal axis moves no mass, O takes over Q's turn about that axis.

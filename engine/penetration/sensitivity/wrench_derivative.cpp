@@ -23,7 +23,7 @@ constexpr double most_off = 5e-3;
 constexpr std::size_t most_pairs = 1024;
 /// Maximum number of further searches for features, each from the pose found by the last one.
 constexpr int most_looks = 2;
-/// Share of the depth: a contact with a smaller multiplier may end immediately.
+/// Share of the depth: a contact with a smaller multiplier may break under any small motion.
 constexpr double weak_push = 1e-4;
 
 constexpr const char* too_many = "there are too many contacts";
@@ -65,8 +65,8 @@ class Settling {
       problem = settle_somehow(look, place);
     }
     if (problem || neighbours_ == Neighbours::of_contacts) return problem;
-    // Features that the probe has come nearer to may hold it as well. They are searched for from
-    // the separated pose, which is free.
+    // The probe has moved nearer to other features, which may hold it as well. They are searched
+    // for from the separated pose, which is free.
     const double far = moved(now_.separated, place.optimum);
     if (!(far > clearance_)) return nullptr;
     look = {now_.separated, now_.contacts, reach + far, look.where};

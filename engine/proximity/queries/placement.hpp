@@ -105,9 +105,9 @@ struct SlotPairs {
 /// for a query that ends at the first overlap.
 enum class Opening { larger, both };
 
-/// Body A placed in B's mesh frame by X_BA. Every query on the pair walks the two trees with it. It
-/// compares boxes in single precision, in a unit in which all are of the order of 1, and subtracts
-/// the rounding error from each distance.
+/// Body A placed in B's mesh frame by X_BA. Every query on the pair traverses the two trees with
+/// it. It compares boxes in single precision, in a unit in which all are of the order of 1, and
+/// subtracts the rounding error from each distance.
 class Placement {
  public:
   Placement(const Body& a, const Body& b, const Transform& X_BA);

@@ -52,7 +52,8 @@ class PairSweep {
     return std::min(clearance_, 0.5 * std::max(gap, nearest_)) + guard_;
   }
   /// m: how far a path of heights can lie below the chord between its ends. `bend` is the upward
-  /// curvature (per unit of s squared, from Motion::bend): half-way, it is an eighth of that.
+  /// curvature (per unit of s squared, from Motion::bend): at the middle, it lies below the chord
+  /// by an eighth of that.
   double hangs_by(double bend) const {
     const double radius = a_.mass.radius;
     return 0.125 * std::min(bend + motion_.bend_error() * radius,
