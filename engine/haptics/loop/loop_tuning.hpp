@@ -20,9 +20,9 @@ struct LoopTuning {
   double widest = 0.5;  ///< reach: no probe moves further while the geometry is busy
   /// Share of the reach of the near rows: as long as the probe has moved by less, they are not
   /// gathered again. They move with the probe, and their reach decreases by the motion. Processor
-  /// time of the geometry beyond the solver's, median and 90th percentile in us, with 0 and with
-  /// this: nut-on-bolt 197, 1314 and 30, 862; peg-in-hole 128, 485 and 14, 341; spoon-in-cup 85,
-  /// 501 and 2, 159. The errors of rows that are 1 to 20 ticks old are the same (`sonde-ages`),
+  /// time of the geometry beyond the solver's (median, 90th percentile, µs): on nut-on-bolt 197,
+  /// 1314 with 0 and 30, 862 with this value; on peg-in-hole 128, 485 and 14, 341; on spoon-in-cup
+  /// 85, 501 and 2, 159. The errors of rows that are 1 to 20 ticks old are the same (`sonde-ages`),
   /// also with 0.25, which gains little.
   double moved_with_rows = 0.1;
   /// Share of the solver's budget that gathering rows may take in addition. If that runs out, the
@@ -33,9 +33,9 @@ struct LoopTuning {
   double margin_of_clearance = 0.5;  ///< share of allowed_clearance: the gap that rows keep
   /// Rows that come first if there is no room for all: those that would hold the probe if the
   /// device continued its motion for this many ticks, or moved by `support_reach` in any of twelve
-  /// directions (at 1 m/s a tick of a probe of 5 cm). In flat contact the nearest 64 may belong to
-  /// one corner. Largest error of rows five ticks old on peg-in-hole: 27.8 % of the force with the
-  /// nearest, 3.1 % with these.
+  /// directions (for a probe of 5 cm, the motion of one tick at 1 m/s). In flat contact, the
+  /// nearest 64 rows may all belong to one corner. The largest error of rows five ticks old on
+  /// peg-in-hole is 27.8 % of the force with the nearest rows, 3.1 % with these.
   double support_ticks[3] = {3, 8, 20};
   double support_reach = 0.02;
 

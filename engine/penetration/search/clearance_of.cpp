@@ -6,8 +6,8 @@
 namespace sonde {
 namespace {
 
-/// m: beyond it the square of a distance may not be finite. Bodies end at 1e30 m, so that from
-/// there they are points, to rounding.
+/// m: the square of a larger distance may not be finite. Bodies extend to at most 1e30 m, so at
+/// such a distance they are points, to rounding.
 constexpr double as_points = 1e150;
 
 }  // namespace

@@ -261,8 +261,9 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   }
   const double before = s.last.status == Status::failed ? 0 : s.last.depth;
   s.last = make_separation(chart, found);
-  // A probe that could not move keeps its pose, to the bit: converting to coordinates and back
-  // rounds, the more the nearer the turn is to a half turn, and no sweep has covered that.
+  // A probe that could not move keeps its pose to the bit. A conversion to coordinates and back
+  // would change it by rounding, the more the nearer the turn is to a half turn, and no sweep has
+  // proved that change free.
   if (s.last.status == Status::penetrating && found.y == from) s.last.separated = s.separated;
   s.keep_spin(chart);
   // The last tick found a local optimum. As long as the pose stays one, the depth changes by no

@@ -13,9 +13,8 @@ struct StaticOptions {
   /// `steps` and `microseconds` limit the search. With neither, the limits below alone end it.
   Budget budget = {};
   std::uint64_t seed = 1;  ///< seed of the random starts; any number
-  /// The search descends from at most this many random starts. With evidence from sketches it makes
-  /// fewer (SearchTuning::most_after_sketches).
-  /// At least 1.
+  /// The search descends from at most this many random starts. With evidence from sketches, it
+  /// makes fewer (SearchTuning::most_after_sketches). At least 1.
   int starts = 384;
   /// The search ends when this many independent starts have ended at the best depth, to 2 %. At
   /// least 1.
