@@ -26,11 +26,10 @@ struct BoundOptions {
 /// probe A at X_FM against B, rounded down. A point at depth a in A and depth b in B (negative
 /// outside) must be displaced by a + b, whatever the motion. Cells cover the rotations; in each
 /// cell, the point that gives the largest bound determines how far the centre of mass must move in
-/// addition to the turn. Where points
-/// prove little, as in thin bodies and surfaces, curves on one surface that pierce the other one
-/// (Crossing) may prove more. No value if both bodies are surfaces and no such curve was found; 0
-/// if otherwise nothing was found (or nothing before the deadline). The proofs are in "Lower bound"
-/// of resources/docs/understand/mathematics.md.
+/// addition to the turn. Where points prove little, as in thin bodies and surfaces, curves on one
+/// surface that pierce the other one (Crossing) may prove more. No value if both bodies are
+/// surfaces and no such curve was found; 0 if otherwise nothing was found (or nothing before the
+/// deadline). The proofs are in "Lower bound" of resources/docs/understand/mathematics.md.
 std::optional<double> depth_lower_bound(const Body& probe, const Body& fixed, const Pose& X_FM,
                                         const Deadline& deadline = {},
                                         const BoundOptions& options = {});

@@ -127,10 +127,10 @@ struct SearchTuning {
   /// Maximum number of random starts after the starts on sketches. On depths.csv, 16, 32, 64 and
   /// 160 of them leave the same poses of three seeds over 1 % too deep; with the bodies moved, 32
   /// lose two poses more than 64, one by 22 %. Without sketches, StaticOptions::starts is the
-  /// limit. If overlaps are pushed apart instead (see `narrow`): with 32, 64 and 128 of them, 348,
-  /// 359 and 368 of those 384 are within 1 %, and the median is 52 to 65, 62 to 79 and 88 to 100
-  /// ms.
-  int most_after_sketches = 64;
+  /// limit. If overlaps are pushed apart instead (see `narrow`): with 32, 64, 128 and 192 of them
+  /// 348, 359, 368 and 370 of those 384 are within 1 %, and the median is 52 to 65, 62 to 79, 88 to
+  /// 119 and 121 to 141 ms (the last two beside a build).
+  int most_after_sketches = 128;
   /// Grid cells: a random pose at which the sketches overlap more deeply is rejected without a test
   /// of the bodies. If it is lower, free poses are rejected where the sketches are wrong.
   double plainly_deep = 0.3;
