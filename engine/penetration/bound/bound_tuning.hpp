@@ -61,8 +61,9 @@ struct BoundTuning {
   double pieces_of_reach = 24;              ///< pieces of a curve in a length of the reach
   double most_pieces = 128;                 ///< of a curve
   double least_cosine_of_patch = 0.2;  ///< of the angle between the normals of a patch and its seed
-  /// rad: angles of the planes that cut curves to that across the line in which triangles meet.
-  double turns_of_cuts[3] = {0, 0.6, -0.6};
+  /// Tangents of the angles of the planes that cut curves to the one across the line in which
+  /// triangles meet.
+  double slopes_of_cuts[3] = {0, 0.7, -0.7};
 
   // Ascent to deeper points (CommonDepth::ascend)
   int more_without_any = 3;    ///< factor on the evaluations while there is no common point

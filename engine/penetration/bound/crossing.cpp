@@ -184,10 +184,10 @@ class Search {
     const Corners& t = curved.at[on];
     const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
     const SurfacePatch patch = patch_about(patched, seed, bound_tuning.least_cosine_of_patch);
-    for (const double turn : bound_tuning.turns_of_cuts) {
+    for (const double slope : bound_tuning.slopes_of_cuts) {
       if (is_over()) return;
       // The plane across the line in which the triangles meet, turned about the triangle's normal.
-      const Vec3 across = std::cos(turn) * m.along + std::sin(turn) * normal.cross(m.along);
+      const Vec3 across = m.along + slope * normal.cross(m.along);
       const auto cut = plane_cut(curved, on, m.at, across, bound_tuning.most_steps_of_cut);
       if (cut) take(*cut, patch, m);
     }

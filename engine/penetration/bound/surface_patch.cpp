@@ -90,6 +90,7 @@ std::vector<std::uint32_t> near_by_scan(const Soup& mesh, const Vec3& x, double 
     all.resize(most);
   }
   std::vector<std::uint32_t> out;
+  out.reserve(all.size());
   for (const Near& n : all) out.push_back(n.triangle);
   return out;
 }
@@ -143,6 +144,7 @@ class Walk {
 
 std::uint32_t LocalSurface::nearest(const Vec3& x, const Vec3& normal, double slack) const {
   std::vector<double> away;
+  away.reserve(size());
   for (const Corners& t : at) away.push_back(closest_points({x, x, x}, t).distance);
   std::uint32_t out = none;
   double best = -1;
