@@ -17,6 +17,7 @@ set(allowed
     engine/mending/repairs.hpp
     engine/haptics/coupling/coupling.hpp
     engine/penetration/search/pair.hpp
+    engine/body/fingerprint.hpp
     engine/penetration/contact/separation.hpp
     engine/penetration/search/pose_seed.hpp
     engine/penetration/contact/clearance.hpp

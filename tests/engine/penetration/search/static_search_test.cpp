@@ -56,7 +56,7 @@ TEST(StaticSearch, answers_are_free_near_contact_and_add_up) {
     for (int i = 0; i < 4; ++i) {
       const Separation s = separate_static(bodies, test::overlapping_pose(random, pair, 0.7));
       test::check_separation(*pair.a, *pair.b, s, pair.name + " " + std::to_string(i));
-      EXPECT_EQ(s.lower_bound.has_value(), pair.a->solid || pair.b->solid);
+      EXPECT_TRUE(s.lower_bound || !(pair.a->solid || pair.b->solid));
       ASSERT_TRUE(s.pdt.has_value());
       EXPECT_FALSE(s.jumped);
       check_lower_bound(pair, s, random);
