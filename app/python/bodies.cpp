@@ -59,11 +59,10 @@ Faces faces_in(const py::object& given) {
 /// those that were given.
 py::array copied(const py::array& array) { return array.attr("copy")().cast<py::array>(); }
 
-SharedBody body_of(const Argument<"vertices", Numbers>& given_vertices,
-                   const py::object& given_faces, const ModelArgument& model,
-                   const NameArgument& name, const RepairArgument& repair,
-                   const py::object& progress) {
-  const Numbers& vertices = given_vertices;
+SharedBody body_of(const py::object& given_vertices, const py::object& given_faces,
+                   const ModelArgument& model, const NameArgument& name,
+                   const RepairArgument& repair, const py::object& progress) {
+  const Numbers vertices = numbers_in(given_vertices, "vertices");
   need_columns(vertices, "vertices");
   const Faces faces = faces_in(given_faces);
   std::vector<Vec3> points(static_cast<std::size_t>(vertices.shape(0)));
@@ -105,8 +104,7 @@ SharedBody mesh_of(const py::object& mesh, const ModelArgument& model, const Nam
                    const RepairArgument& repair) {
   if (!py::hasattr(mesh, "vertices") || !py::hasattr(mesh, "faces"))
     throw std::invalid_argument("mesh must have .vertices and .faces");
-  return body_of({Numbers(py::array(mesh.attr("vertices")))}, mesh.attr("faces"), model, name,
-                 repair, py::none());
+  return body_of(mesh.attr("vertices"), mesh.attr("faces"), model, name, repair, py::none());
 }
 
 SharedBody offset_of(const SharedBody& body, const Argument<"by", double>& by) {

@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -52,6 +53,11 @@ Depths searched(const SharedPair& pair, const std::vector<Pose>& poses, const Se
   return depths_of(of_every_pose<PoseResult>(poses, search.threads, told, answer), pair.mark());
 }
 
+void need_share(const char* name, double given) {
+  if (!(given > 0 && given < 1))
+    throw std::invalid_argument(std::string(name) + " must be above 0 and below 1");
+}
+
 SearchWish search_of(const std::string& method, std::uint64_t seed, unsigned threads,
                      int budget_steps, double budget_us, bool whole_bound, bool clearance,
                      std::optional<double> time, std::optional<double> accuracy, double sure) {
@@ -64,6 +70,12 @@ SearchWish search_of(const std::string& method, std::uint64_t seed, unsigned thr
   out.options.share_for_bound = whole_bound ? 0.3 : 0;
   out.options.want_clearance = clearance;
   out.threads = threads;
+  need_share("sure", sure);
+  if (accuracy) need_share("accuracy", *accuracy);
+  if (time && (!(*time > 0) || !std::isfinite(*time)))
+    throw std::invalid_argument("time must be above 0 and finite, in seconds");
+  if (time && accuracy)
+    throw std::invalid_argument("give time or accuracy: the one follows from the other");
   if (time || accuracy) {
     if (budget_steps > 0 || budget_us > 0 || whole_bound)
       throw std::invalid_argument("time and accuracy are budgets, without a bound: give no other");

@@ -2,6 +2,7 @@
 #include "app/python/poses.hpp"
 
 #include <cmath>
+#include <cstring>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -14,6 +15,9 @@ namespace sonde::python {
 namespace py = pybind11;
 
 Numbers numbers_in(const py::object& given, const char* what) {
+  // NumPy would leave out the mask without a word.
+  if (std::strcmp(Py_TYPE(given.ptr())->tp_name, "MaskedArray") == 0)
+    throw std::invalid_argument(std::string(what) + " is a masked array: give its filled() values");
   if (py::isinstance<Numbers>(given)) return py::reinterpret_borrow<Numbers>(given);
   const py::array array(given);
   const char kind = array.dtype().kind();

@@ -24,7 +24,7 @@ class Fingerprint {
   }
   template <class Matrix>
   void add_all(const Matrix& m) {
-    for (Eigen::Index i = 0; i < m.size(); ++i) add(m.data()[i]);
+    for (Eigen::Index i = 0; i < m.size(); ++i) add(m.data()[i] + 0.0);  // −0 is 0
   }
   std::uint64_t value() const { return state_; }
 

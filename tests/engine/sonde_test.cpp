@@ -251,6 +251,9 @@ TEST(Face, options_that_make_no_sense_are_refused_by_name) {
     EXPECT_EQ(follower.last().status, Status::failed) << "it has not started";
   };
   refused({.method = static_cast<Method>(7)}, "method");
+  refused({.budget = {.steps = -1}}, "budget.steps");
+  refused({.budget = {.microseconds = std::numeric_limits<double>::quiet_NaN()}},
+          "budget.microseconds");
   refused({.starts = 0}, "starts");
   refused({.starts = -5}, "starts");
   refused({.agreement = -1}, "agreement");

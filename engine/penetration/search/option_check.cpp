@@ -10,7 +10,8 @@ void check(const StaticOptions& options) {
     if (!holds) throw InputError::in("the options", reason);
   };
   need(options.method == Method::pdg || options.method == Method::pdt, "there is no such method");
-  need(is_valid(options.budget), "no limit of the budget may be negative or NaN");
+  need(options.budget.steps >= 0, "budget.steps must be 0 (none) or more");
+  need(options.budget.microseconds >= 0, "budget.microseconds must be 0 (none) or more");
   need(options.starts >= 1, "starts must be at least 1");
   need(options.agreement >= 1, "agreement must be at least 1");
   need(options.sure > 0 && options.sure < 1, "sure must be above 0 and below 1");

@@ -2,6 +2,7 @@
 #include "engine/penetration/search/verified.hpp"
 
 #include "engine/base/phase_timer.hpp"
+#include "engine/penetration/descent/refinement_tuning.hpp"
 #include "engine/penetration/descent/result.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 
@@ -18,8 +19,19 @@ Separation Verified::refined(Method method, const Vec6& y, LeapDescent& leaps, i
 }
 
 void Verified::add(const Separation& answer) {
-  if (best_ && best_->depth <= answer.depth) return;
+  if (best_ && best_->depth <= answer.depth) {
+    // A descent that ran to its end beside the best, and is no less deep, shows that no steps were
+    // missing there.
+    best_->converged = best_->converged || (answer.converged && is_beside_best(answer));
+    return;
+  }
   if (is_free(answer)) best_ = answer;
+}
+
+bool Verified::is_beside_best(const Separation& answer) const {
+  const Vec6 apart = chart_.coordinates(answer.separated) - chart_.coordinates(best_->separated);
+  return apart.norm() <= refinement_tuning.second.reach * best_->depth &&
+         answer.depth <= (1 + refinement_tuning.second.tolerance) * best_->depth;
 }
 
 bool Verified::is_free(const Separation& answer) const {

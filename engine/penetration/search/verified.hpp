@@ -26,6 +26,9 @@ class Verified {
   const std::optional<Separation>& best() const { return best_; }
 
  private:
+  /// Whether it is a refinement of the same optimum, to the accuracy of one.
+  bool is_beside_best(const Separation& answer) const;
+
   const Body& probe_;
   const Body& fixed_;
   const Chart& chart_;

@@ -61,7 +61,6 @@ class Arguments(unittest.TestCase):
             (lambda: sonde.Body.read(3), "file must be a str or a path, not int"),
             (lambda: pair.write(3), "file must be a str or a path, not int"),
             (lambda: sonde.Body(CORNERS, FACES, name=3), "name must be a str"),
-            (lambda: sonde.Body("x", FACES), "vertices must be an array of numbers, not str"),
             (lambda: box().offset("x"), "by must be a number"),
             (lambda: box().with_mass(measure=None), "measure must be a number"),
         ):
@@ -69,6 +68,28 @@ class Arguments(unittest.TestCase):
         self.refused(
             ValueError, "of must be a Separation", lambda: pair.derivative(pair.depth(at(3)))
         )
+        for vertices in ("x", None, numpy.array(CORNERS) + 1j, numpy.array(CORNERS).astype(str)):
+            self.refused(
+                ValueError, "vertices must be real numbers", lambda: sonde.Body(vertices, FACES)
+            )
+        masked = numpy.ma.array(at(3), mask=numpy.ones_like(at(3)))
+        self.refused(ValueError, "poses is a masked array", lambda: pair.touch(masked))
+        for wrong, words in (
+            ({"time": 0.0}, "^time must be above 0 and finite"),
+            ({"time": numpy.inf}, "^time must be above 0 and finite"),
+            ({"accuracy": 0.0}, "^accuracy must be above 0 and below 1"),
+            ({"sure": 1.0}, "^sure must be above 0 and below 1"),
+            ({"time": 1.0, "accuracy": 0.1}, "give time or accuracy"),
+            ({"budget_steps": -1}, "^budget_steps must be 0"),
+            ({"budget_us": numpy.nan}, "^budget_us must be 0"),
+        ):
+            self.refused(ValueError, words, lambda: pair.depth(at(1.9), **wrong))
+        for name in ("k", "k_t", "k_r", "max_force", "max_torque"):
+            self.refused(
+                ValueError,
+                f"^{name} must be",
+                lambda: pair.wrench(pair.depth(at(1.9)), **{name: -1.0}),
+            )
         for seed, threads in ((numpy.int64(1), numpy.uint8(1)), (True, 1)):
             self.assertEqual(len(pair.depth(at(1.9), seed=seed, threads=threads)), 1)
         with self.assertRaisesRegex(sonde.InputError, "nowhere.ply"):

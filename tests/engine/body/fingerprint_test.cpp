@@ -26,6 +26,13 @@ std::shared_ptr<const Body> wedge(double top, Model model = Model::solid, bool t
 
 TEST(Fingerprint, a_body_made_again_has_the_same) {
   EXPECT_EQ(fingerprint(*wedge(1)), fingerprint(*wedge(1)));
+  const auto mirrored = [](double zero) {
+    const std::vector<Vec3> corners{{zero, 0, 0}, {1, zero, 0}, {0, 1, zero}, {0, 0, 1}};
+    const std::vector<std::array<std::uint32_t, 3>> faces{
+        {0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+    return fingerprint(*make_body(corners, faces, Model::solid, "wedge"));
+  };
+  EXPECT_EQ(mirrored(-0.0), mirrored(0.0));
 }
 
 TEST(Fingerprint, the_last_bit_of_a_corner_the_model_the_mass_and_the_order_count) {

@@ -182,6 +182,22 @@ PolygonSoup icosphere(double radius) {
 
 // A translation is one of the answers: what a search for it alone finds with the same seed is never
 // beaten by it. One inside the other in the middle every direction is as good, but for the facets.
+// By hand: a cube of 1 m in one of 2 m leaves by 0.6 m. A budget that never runs out leaves nothing
+// undone.
+TEST(StaticSearch, has_converged_where_its_budget_did_not_run_out) {
+  const auto small = test::body(test::box({1, 1, 1})), large = test::body(test::box({2, 2, 2}));
+  for (const Method method : {Method::pdg, Method::pdt})
+    for (const Vec3& p : {Vec3(0.9, 0.1, 0.05), Vec3(0.2, -0.95, 0.3), Vec3(1.2, 0.7, -0.4)}) {
+      StaticOptions options;
+      options.method = method;
+      options.budget.steps = 1'000'000;
+      const Separation s = separate_static({small, large}, {Quat::Identity(), p}, options);
+      EXPECT_TRUE(s.converged) << p.transpose();
+      EXPECT_LT(s.iterations, options.budget.steps);
+      EXPECT_NEAR(s.depth, 1.5 - p.cwiseAbs().maxCoeff(), 1e-3);
+    }
+}
+
 TEST(StaticSearch, is_no_deeper_than_the_translation_found_alone_among_many_as_good) {
   const auto ball = test::body(icosphere(1)), shell = test::body(icosphere(3));
   ASSERT_EQ(ball->soup.triangles.size(), 320U);
