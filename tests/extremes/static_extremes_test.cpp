@@ -2,6 +2,7 @@
 // Static searches at the extremes of size, place, depth, turn and of the host's arithmetic. The
 // reference is geometry by hand: a box that lies flat in a plate comes out straight up by as much
 // as it is in.
+#include <algorithm>
 #include <array>
 #include <cfenv>
 #include <limits>
