@@ -11,6 +11,7 @@ void check(const StaticOptions& options) {
   };
   need(options.method == Method::pdg || options.method == Method::pdt, "there is no such method");
   need(options.budget.steps >= 0, "budget.steps must be 0 (none) or more");
+  need(options.budget.work >= 0, "budget.work must be 0 (none) or more");
   need(options.budget.microseconds >= 0, "budget.microseconds must be 0 (none) or more");
   need(options.starts >= 1, "starts must be at least 1");
   need(options.agreement >= 1, "agreement must be at least 1");

@@ -206,7 +206,7 @@ class Pair(unittest.TestCase):
         self.assertFalse(numpy.isnan(found.within).any())
         with self.assertRaisesRegex(ValueError, "give no other"):
             boxes().depth(at(1.9), time=1e-3, budget_steps=3)
-        with self.assertRaisesRegex(sonde.InputError, "knob"):
+        with self.assertRaisesRegex(ValueError, "give time or accuracy"):
             boxes().depth(at(1.9), time=1e-3, accuracy=0.1)
 
     def test_a_follower_steps_and_is_copied(self):
