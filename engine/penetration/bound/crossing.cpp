@@ -24,6 +24,9 @@ constexpr double flatness = 1e-11;
 /// Share of the reach by which a curve is moved off a surface; the bound loses as much.
 constexpr double shift = 1e-7;
 
+/// µs for each triangle of a mesh that is looked through.
+constexpr double us_to_scan = 0.01;
+
 /// Two triangles that meet, and a point of the segment that they share, at first its middle; in F.
 struct Meet {
   Vec3 normal_probe, normal_fixed;  // unit
@@ -155,16 +158,26 @@ class Search {
   }
 
   Crossing run() {
+    if (is_over()) return {};
     const std::vector<Meet> all = meets(at_);
     for (const Meet& m : spread(all, bound_tuning.most_crossings)) {
-      if (is_over()) break;
+      if (is_over(us_to_look())) break;
       about(m);
     }
     return best_.depth > 0 ? best_ : Crossing{};
   }
 
  private:
-  bool is_over() const { return work_ > options_.work || options_.deadline.passed(); }
+  bool is_over(double ahead = 0) const {
+    return work_ > options_.work || options_.deadline.passed(ahead);
+  }
+  /// About what it takes to look for the triangles about a place.
+  double us_to_look() const {
+    double out = 0;
+    for (const Body* body : {&probe_, &fixed_})
+      if (scans_mesh(*body)) out += us_to_scan * static_cast<double>(body->soup.triangles.size());
+    return out;
+  }
 
   /// Both ways: a curve on the probe through a patch of the fixed body, and the other way round.
   void about(const Meet& m) {
@@ -172,8 +185,8 @@ class Search {
                                              bound_tuning.most_local_triangles, work_),
                        fixed = local_surface(fixed_, Transform(), m.at, options_.reach,
                                              bound_tuning.most_local_triangles, work_);
-    const std::uint32_t on_probe = probe.nearest(m.at, m.normal_probe, guard_),
-                        on_fixed = fixed.nearest(m.at, m.normal_fixed, guard_);
+    const std::uint32_t on_probe = probe.about(m.at, m.normal_probe, guard_),
+                        on_fixed = fixed.about(m.at, m.normal_fixed, guard_);
     if (on_probe == LocalSurface::none || on_fixed == LocalSurface::none) return;
     curves(probe, on_probe, fixed, on_fixed, m);
     curves(fixed, on_fixed, probe, on_probe, m);
@@ -181,7 +194,7 @@ class Search {
 
   void curves(const LocalSurface& curved, std::uint32_t on, const LocalSurface& patched,
               std::uint32_t seed, const Meet& m) {
-    const Corners& t = curved.at[on];
+    const Corners t = curved.at(on);
     const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
     const SurfacePatch patch = patch_about(patched, seed, bound_tuning.least_cosine_of_patch);
     for (const double slope : bound_tuning.slopes_of_cuts) {

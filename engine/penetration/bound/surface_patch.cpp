@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include "engine/base/numbers.hpp"
 #include "engine/base/ordering.hpp"
-#include "engine/proximity/queries/placement.hpp"
+#include "engine/geometry/by_corners.hpp"
+#include "engine/mending/edge_uses.hpp"
 #include "engine/proximity/queries/point_distance.hpp"
 
 namespace sonde {
@@ -16,37 +18,40 @@ namespace {
 
 /// Factor on the reach while too many triangles are within it.
 constexpr double nearer = 0.7;
+constexpr int most_shorter = 60;  // then it is 5e-10 of the first
 constexpr int work_of_exact = 40;
 
-/// A side of a triangle of a local surface, by its vertices.
-struct Side {
-  std::uint32_t low, high;
-  std::uint32_t of;  ///< 3 × triangle + side
-};
-
 void connect(LocalSurface& surface) {
-  std::vector<Side> sides;
-  for (std::uint32_t i = 0; i < surface.size(); ++i)
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const auto [low, high] =
-          std::minmax(surface.vertices[i][k], surface.vertices[i][(k + 1) % 3]);
-      sides.push_back({low, high, 3 * i + k});
-    }
-  ordering::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::pair(a.low, a.high) < std::pair(b.low, b.high);
-  });
   surface.neighbour.assign(surface.size(),
                            {LocalSurface::none, LocalSurface::none, LocalSurface::none});
-  const auto same = [&](std::size_t i, std::size_t j) {
-    return sides[i].low == sides[j].low && sides[i].high == sides[j].high;
-  };
-  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
-    for (end = i + 1; end < sides.size() && same(i, end);) ++end;
-    if (end != i + 2) continue;
-    const std::uint32_t a = sides[i].of, b = sides[i + 1].of;
+  for_each_edge(edge_uses(surface.soup), [&](std::span<const EdgeUse> uses) {
+    if (uses.size() != 2) return;
+    const std::uint32_t a = uses[0].side, b = uses[1].side;
     surface.neighbour[a / 3][a % 3] = b / 3;
     surface.neighbour[b / 3][b % 3] = a / 3;
+  });
+}
+
+/// These triangles of a mesh, placed by X, one of each kind that has the same corners.
+Soup extract(const Soup& mesh, const std::vector<std::uint32_t>& some, const Transform& X) {
+  std::vector<std::uint32_t> used;
+  for (const std::uint32_t i : some)
+    used.insert(used.end(), mesh.triangles[i].begin(), mesh.triangles[i].end());
+  ordering::sort(used);
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  Soup out;
+  for (const std::uint32_t i : used) out.vertices.push_back(X * mesh.vertices[i]);
+  for (const std::uint32_t i : some) {
+    Triangle& t = out.triangles.emplace_back(mesh.triangles[i]);
+    for (std::uint32_t& corner : t)
+      corner = static_cast<std::uint32_t>(std::ranges::lower_bound(used, corner) - used.begin());
   }
+  std::vector<Triangle> kept;
+  for_each_alike(triangles_by_corners(out), [&](std::span<const CornerTriangle> alike) {
+    kept.push_back(out.triangles[alike.front().triangle]);
+  });
+  out.triangles = std::move(kept);
+  return out;
 }
 
 Vec3 unit_normal(const Corners& t) { return (t[1] - t[0]).cross(t[2] - t[0]).normalized(); }
@@ -63,8 +68,12 @@ std::vector<std::uint32_t> near_by_tree(const Body& body, const Vec3& x, double 
                                         std::size_t most) {
   std::vector<std::uint32_t> out(most + 1);
   std::size_t count = 0;
-  while ((count = triangles_within(body, x, reach, out)) > most) reach *= nearer;
-  out.resize(count);
+  const auto count_within = [&](double radius) {
+    return count = triangles_within(body, x, radius, out);
+  };
+  // More of them may meet at x itself.
+  for (int i = 0; i < most_shorter && count_within(reach) > most; ++i) reach *= nearer;
+  out.resize(std::min(count, most));
   return out;
 }
 
@@ -107,10 +116,11 @@ class Walk {
   Vec3 point_on(std::uint32_t triangle, std::size_t side) const {
     // From the lower vertex, so that both triangles of a side give the same bits.
     std::size_t a = side, b = (side + 1) % 3;
-    if (surface_.vertices[triangle][a] > surface_.vertices[triangle][b]) std::swap(a, b);
+    if (surface_.soup.triangles[triangle][a] > surface_.soup.triangles[triangle][b])
+      std::swap(a, b);
     const double ha = height(triangle, a), hb = height(triangle, b);
-    return surface_.at[triangle][a] +
-           ha / (ha - hb) * (surface_.at[triangle][b] - surface_.at[triangle][a]);
+    const Corners t = surface_.at(triangle);
+    return t[a] + ha / (ha - hb) * (t[b] - t[a]);
   }
   /// The points after that on `side` of triangle `seed`, outwards. Returns whether the walk came
   /// back to the seed.
@@ -131,7 +141,7 @@ class Walk {
 
  private:
   double height(std::uint32_t triangle, std::size_t corner) const {
-    return normal_.dot(surface_.at[triangle][corner] - x_);
+    return normal_.dot(surface_.at(triangle)[corner] - x_);
   }
   bool above(std::uint32_t triangle, std::size_t corner) const {
     return height(triangle, corner) > 0;
@@ -142,46 +152,27 @@ class Walk {
 
 }  // namespace
 
-std::uint32_t LocalSurface::nearest(const Vec3& x, const Vec3& normal, double slack) const {
-  std::vector<double> away;
-  away.reserve(size());
-  for (const Corners& t : at) away.push_back(closest_points({x, x, x}, t).distance);
+std::uint32_t LocalSurface::about(const Vec3& x, const Vec3& normal, double slack) const {
   std::uint32_t out = none;
   double best = -1;
-  const double least = away.empty() ? 0 : *std::min_element(away.begin(), away.end());
   for (std::uint32_t i = 0; i < size(); ++i) {
-    const double along = std::abs(unit_normal(at[i]).dot(normal));
-    if (away[i] <= least + slack && along > best) best = along, out = i;
+    const double along = std::abs(unit_normal(at(i)).dot(normal));
+    if (along > best && closest_points({x, x, x}, at(i), slack).distance <= slack)
+      best = along, out = i;
   }
   return out;
 }
 
+bool scans_mesh(const Body& body) { return &surface(body) != &body.soup; }
+
 LocalSurface local_surface(const Body& body, const Transform& X_FB, const Vec3& x, double reach,
                            std::size_t most, std::int64_t& work) {
   const Vec3 x_B = X_FB.R.transpose() * (x - X_FB.p);
-  const Soup& mesh = body.joined.triangles.empty() ? body.soup : body.joined;
-  const std::vector<std::uint32_t> near = &mesh == &surface(body)
-                                              ? near_by_tree(body, x_B, reach, most)
-                                              : near_by_scan(mesh, x_B, reach, most);
-  work += static_cast<std::int64_t>(&mesh == &surface(body) ? near.size() : mesh.triangles.size());
-  LocalSurface out;
-  std::vector<Triangle> sorted;
-  for (const std::uint32_t i : near) {
-    Triangle t = mesh.triangles[i];
-    ordering::sort(t);
-    sorted.push_back(t);
-  }
-  std::vector<std::uint32_t> order(near.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  ordering::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return sorted[a] != sorted[b] ? sorted[a] < sorted[b] : a < b;
-  });
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    if (i > 0 && sorted[order[i]] == sorted[order[i - 1]]) continue;
-    const std::uint32_t triangle = near[order[i]];
-    out.at.push_back(place(X_FB, corners(mesh, triangle)));
-    out.vertices.push_back(mesh.triangles[triangle]);
-  }
+  const std::vector<std::uint32_t> near = scans_mesh(body)
+                                              ? near_by_scan(body.soup, x_B, reach, most)
+                                              : near_by_tree(body, x_B, reach, most);
+  work += static_cast<std::int64_t>(scans_mesh(body) ? body.soup.triangles.size() : near.size());
+  LocalSurface out{extract(body.soup, near, X_FB), {}};
   connect(out);
   return out;
 }
@@ -189,10 +180,14 @@ LocalSurface local_surface(const Body& body, const Transform& X_FB, const Vec3& 
 void TriangleSet::add(const Corners& t) {
   at_.push_back(t);
   center_.push_back((t[0] + t[1] + t[2]) / 3);
-  normal_.push_back(unit_normal(t));
   double squared = 0;
   for (const Vec3& v : t) squared = std::max(squared, (v - center_.back()).squaredNorm());
   radius_.push_back(std::sqrt(squared) * (1 + 1e-12));
+  // Each side is at most twice the radius long, and its product with another rounds by some
+  // epsilons of their lengths. Of a needle that turns the normal far.
+  const double area = (t[1] - t[0]).cross(t[2] - t[0]).norm(), side = 2 * radius_.back();
+  normal_.push_back(unit_normal(t));
+  uneven_.push_back(area > 0 ? 1e-14 * side * side / area * side : infinity);
 }
 
 double TriangleSet::distance(const Corners& from, std::int64_t& work) const {
@@ -222,7 +217,8 @@ std::optional<int> TriangleSet::pierced(const Vec3& from, const Vec3& to, double
     const double most = half + radius_[i];
     if ((center_[i] - middle).squaredNorm() > most * most) continue;
     const double a = normal_[i].dot(from - center_[i]), b = normal_[i].dot(to - center_[i]);
-    if (std::min(a, b) > guard || std::max(a, b) < -guard) continue;  // on one side of its plane
+    const double slack = guard + uneven_[i] + 1e-14 * half;
+    if (std::min(a, b) > slack || std::max(a, b) < -slack) continue;  // on one side of its plane
     work += work_of_exact;
     if (closest_points(segment, at_[i]).distance > guard) continue;
     if (classify(segment, at_[i]) != Meeting::meeting) return std::nullopt;
@@ -234,18 +230,18 @@ std::optional<int> TriangleSet::pierced(const Vec3& from, const Vec3& to, double
 SurfacePatch patch_about(const LocalSurface& surface, std::uint32_t seed, double least_cosine) {
   std::vector<char> in(surface.size(), 0);
   std::vector<std::uint32_t> all{seed};
-  std::vector<Vec3> normal{unit_normal(surface.at[seed])};
+  std::vector<Vec3> normal{unit_normal(surface.at(seed))};
   in[seed] = 1;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::uint32_t here = all[i];
     // Whichever way round the corners of either triangle are, the normals are on one side.
-    const bool kept = unit_normal(surface.at[here]).dot(normal[i]) > 0;
+    const bool kept = unit_normal(surface.at(here)).dot(normal[i]) > 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t next = surface.neighbour[here][k];
       if (next == LocalSurface::none || in[next]) continue;
       const std::size_t back = side_towards(surface, next, here);
-      const bool same_way = surface.vertices[next][back] != surface.vertices[here][k];
-      Vec3 n = unit_normal(surface.at[next]);
+      const bool same_way = surface.soup.triangles[next][back] != surface.soup.triangles[here][k];
+      Vec3 n = unit_normal(surface.at(next));
       if (same_way != kept) n = -n;
       if (!(n.dot(normal[0]) > least_cosine)) continue;
       in[next] = 1;
@@ -255,7 +251,7 @@ SurfacePatch patch_about(const LocalSurface& surface, std::uint32_t seed, double
   }
   SurfacePatch out;
   for (const std::uint32_t i : all) {
-    const Corners& t = surface.at[i];
+    const Corners t = surface.at(i);
     out.triangles.add(t);
     for (std::size_t k = 0; k < 3; ++k)
       if (surface.neighbour[i][k] == LocalSurface::none || !in[surface.neighbour[i][k]])

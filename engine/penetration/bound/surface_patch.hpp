@@ -8,31 +8,35 @@
 #include <vector>
 
 #include "engine/body/body.hpp"
+#include "engine/geometry/soup.hpp"
 #include "engine/geometry/transform.hpp"
+#include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/triangles/triangle_pair.hpp"
 
 namespace sonde {
 
-/// The triangles of a body's mesh near a point, in a common frame F, m, with their neighbours.
+/// The triangles of a body's mesh near a point, with their neighbours.
 struct LocalSurface {
   static constexpr std::uint32_t none = 0xffffffffu;
-  std::vector<Corners> at;         ///< in F
-  std::vector<Triangle> vertices;  ///< of the mesh; no two triangles have the same
+  Soup soup;  ///< in a common frame F, m; no two triangles have the same corners
   /// Across the edge from corner k to the next: the only other triangle here with that edge, or
   /// none.
   std::vector<std::array<std::uint32_t, 3>> neighbour;
-  std::size_t size() const { return at.size(); }
-  /// The triangle nearest to x, and of those within `slack` (m) of the nearest the one whose plane
-  /// is most nearly perpendicular to `normal`; none if there are no triangles.
-  std::uint32_t nearest(const Vec3& x, const Vec3& normal, double slack) const;
+  std::size_t size() const { return soup.triangles.size(); }
+  Corners at(std::uint32_t triangle) const { return corners(soup, triangle); }
+  /// Of the triangles within `slack` (m) of x the one whose plane is most nearly perpendicular to
+  /// `normal`; none if there are none.
+  std::uint32_t about(const Vec3& x, const Vec3& normal, double slack) const;
 };
 
 /// The triangles within `reach` (m) of x (in F), each of them once. At most `most`: where there are
-/// more, those within a smaller reach. They are of the mesh as it was given, whose neighbours share
-/// their corners: a flat part of surface(body) may be joined across the corners of the next part.
-/// Adds to `work` what it takes to look for them.
+/// more, those within a smaller reach, or some of those about x. They are of the mesh as it was
+/// given, whose neighbours share their corners: a flat part of surface(body) may be joined across
+/// the corners of the next part. Adds to `work` what it takes to look for them.
 LocalSurface local_surface(const Body& body, const Transform& X_FB, const Vec3& x, double reach,
                            std::size_t most, std::int64_t& work);
+/// Whether local_surface compares x with every triangle of the body's mesh.
+bool scans_mesh(const Body& body);
 
 /// Triangles (or segments, as triangles with two equal corners) to measure distances from.
 class TriangleSet {
@@ -50,7 +54,8 @@ class TriangleSet {
  private:
   std::vector<Corners> at_;
   std::vector<Vec3> center_;
-  std::vector<Vec3> normal_;  // unit; 0 of a segment
+  std::vector<Vec3> normal_;    // unit; 0 of a segment
+  std::vector<double> uneven_;  // m: rounding of a height over the plane, from the normal's
   std::vector<double> radius_;
 };
 

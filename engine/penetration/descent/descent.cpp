@@ -14,8 +14,7 @@ namespace {
 /// Cost of a step in units of Effort, besides what is counted where it is spent.
 constexpr int work_of_step = 500;
 
-/// The fraction of the straight line from one turn to another, both as v, at which |v| reaches
-/// `limit`.
+/// The fraction of the straight line from one turn to another, both as v, where |v| is `limit`.
 double part_to_rim(const Vec3& from, const Vec3& to, double limit) {
   const Vec3 along = to - from;
   const double a = along.squaredNorm(), b = from.dot(along);
@@ -96,8 +95,7 @@ struct Descent::Pace {
   /// step.)
   double longest = std::numeric_limits<double>::max();
   /// m: limit of the damped step. Obstacles are still searched for up to the end of the undamped
-  /// step: the rows that are missing, and whose absence makes the steps oscillate, belong to
-  /// obstacles there.
+  /// step: obstacles there whose rows are missing make the steps oscillate.
   double damped_to = std::numeric_limits<double>::max();
   /// m: |y| never rises above this.
   double ceiling = std::numeric_limits<double>::max();

@@ -13,6 +13,7 @@
 #include "engine/geometry/chart.hpp"
 #include "engine/penetration/bound/lower_bound.hpp"
 #include "engine/proximity/queries/intersect.hpp"
+#include "engine/sonde.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -115,6 +116,20 @@ TEST(Crossing, of_a_tube_through_a_sheet) {
     EXPECT_LE(straight, 0.7) << sides;  // lengthways
     EXPECT_GT(straight, 0.6) << sides;
     EXPECT_GT(bound(*probe, *fixed, at({0.1, 0, 0.3}), false), 0.2) << sides;
+  }
+}
+
+// By hand: a plate of 0.1 m made thinner by 0.02 m on each side, through a sheet: its faces are
+// 0.06 m apart and end 0.02 m sooner.
+TEST(Crossing, of_a_body_offset_is_that_of_what_touches) {
+  const auto plate = test::body(test::box({2, 2, 0.1})),
+             fixed = test::body(sheet(1.5, 1.5, 3, upright));
+  for (const double by : {-0.02, 0.02}) {
+    const auto probe = offset_body(*plate, by);
+    const double out = 0.6 + by;  // sideways past the sheet's plane
+    const double straight = bound(*probe, *fixed, at({0.4, 0.1, 0}), true);
+    EXPECT_LE(straight, out) << by;
+    EXPECT_GT(straight, 0.85 * out) << by;
   }
 }
 
