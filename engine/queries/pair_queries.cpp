@@ -34,9 +34,9 @@ Pose checked_within_reach(const Pose& X) {
 
 /// @pre The pose is checked.
 bool meet(const Pair& pair, const Pose& X) {
-  const auto apart = trivial_separation(pair.probe(), pair.fixed(), X);
-  if (apart && apart->status == Status::failed) throw InputError(apart->reason);
-  return !apart;
+  const FreeTest test = test_free(pair.probe(), pair.fixed(), X);
+  if (test.fault) throw InputError(test.fault);
+  return !test.free;
 }
 
 /// The closest points of the two triangles.

@@ -17,16 +17,22 @@ bool ball_is_clear(const Body& probe, const Body& fixed, const Transform& X, dou
 
 }  // namespace
 
-std::optional<Separation> trivial_separation(const Body& probe, const Body& fixed,
-                                             const Pose& X_FM) {
-  if (const char* fault = fault_of(X_FM)) return failed(X_FM, fault);
+FreeTest test_free(const Body& probe, const Body& fixed, const Pose& X_FM) {
+  if (const char* fault = fault_of(X_FM)) return {.fault = fault};
   // This test does not use the trees: if rounding is as large as a body, all boxes overlap.
   const double rounding = rounding_guard(extent(probe), extent(fixed), X_FM.p);
   const Transform X(X_FM);
-  if (ball_is_clear(probe, fixed, X, rounding)) return separated_at(X_FM);
+  if (ball_is_clear(probe, fixed, X, rounding)) return {.free = true};
   if (rounding > largest_rounding * probe.mass.radius)
-    return failed(X_FM, "too far from the origin for the size of the probe");
-  if (!overlap(probe, fixed, X, Doubt::exact)) return separated_at(X_FM);
+    return {.fault = "too far from the origin for the size of the probe"};
+  return {.free = !overlap(probe, fixed, X, Doubt::exact)};
+}
+
+std::optional<Separation> trivial_separation(const Body& probe, const Body& fixed,
+                                             const Pose& X_FM) {
+  const FreeTest test = test_free(probe, fixed, X_FM);
+  if (test.fault) return failed(X_FM, test.fault);
+  if (test.free) return separated_at(X_FM);
   return std::nullopt;
 }
 

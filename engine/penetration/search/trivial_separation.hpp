@@ -11,9 +11,18 @@ namespace sonde {
 /// Share of the probe's radius: if coordinates are rounded by more, contacts are meaningless.
 inline constexpr double largest_rounding = 0.01;
 
-/// The answer at poses that need no search; no value if the bodies overlap. A pose that is not
-/// finite, or so far away that rounding makes it meaningless, fails. If the probe is clear of the
-/// fixed body, however far away, or free by the exact test, it is separated as it is.
+/// Whether the probe is free at a pose; or the reason why that cannot be told.
+struct FreeTest {
+  bool free = false;
+  const char* fault = nullptr;
+};
+/// A pose that is not finite, or so far away that rounding makes it meaningless, has a fault. If
+/// the probe is clear of the fixed body, however far away, or free by the exact test, it is free.
+/// @pre A finite pose has a unit quaternion.
+FreeTest test_free(const Body& probe, const Body& fixed, const Pose& X_FM);
+
+/// The answer at poses that need no search, by test_free: separated as it is where the probe is
+/// free, failed where there is a fault; no value if the bodies overlap.
 /// @pre A finite pose has a unit quaternion.
 std::optional<Separation> trivial_separation(const Body& probe, const Body& fixed,
                                              const Pose& X_FM);

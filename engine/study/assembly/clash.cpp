@@ -65,12 +65,12 @@ Clash clash_of(const std::vector<AssemblyPart>& parts, std::array<std::size_t, 2
   const double rounding = rounding_guard(extent(*probe.body), extent(*fixed.body), X_FM.p);
   const double touching = std::max(options.allowance, 4 * rounding);
 
-  const auto apart = trivial_separation(*probe.body, *fixed.body, X_FM);
-  if (apart && apart->status == Status::failed) {
-    out.reason = apart->reason;
+  const FreeTest test = test_free(*probe.body, *fixed.body, X_FM);
+  if (test.fault) {
+    out.reason = test.fault;
     return out;
   }
-  if (apart) {
+  if (test.free) {
     const Clearance clearance = clearance_of(*probe.body, *fixed.body, X_FM, false);
     out.clearance = clearance.distance;
     out.place = fixed.X_WM * Vec3(0.5 * (clearance.on_probe + clearance.on_fixed));
