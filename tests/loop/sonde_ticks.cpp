@@ -20,6 +20,7 @@ struct Options {
   std::vector<std::string> scenes;
   std::vector<int> slabs;
   bool real = false;
+  bool fitted = false;
   std::string only;
   std::string method = "pdg";
   std::string csv;
@@ -53,13 +54,15 @@ void measure(const TickCase& c, const Options& o) {
 }
 
 void run(const Options& o) {
-  if (o.scenes.empty() && o.slabs.empty() && !o.real)
-    throw std::invalid_argument("nothing to measure: name scenes, --slab or --real");
+  if (o.scenes.empty() && o.slabs.empty() && !o.real && !o.fitted)
+    throw std::invalid_argument("nothing to measure: name scenes, --slab, --real or --fitted");
   std::fputs(table_head().c_str(), stdout);
   for (const int cuts : o.slabs) measure(slab_case(cuts), o);
   if (o.real)
     for (const std::string& name : real_pairs())
       if (name.find(o.only) != std::string::npos) measure(real_case(name), o);
+  if (o.fitted)
+    for (const TickCase& c : fitted_cases(o.only)) measure(c, o);
   for (const std::string& file : o.scenes) measure(scene_case(file, o.knots), o);
 }
 
@@ -76,7 +79,8 @@ int main(int argc, char** argv) {
       ->allow_extra_args(false)
       ->check(CLI::PositiveNumber);
   app.add_flag("--real", o.real, "four pairs of real meshes, pressed and slid on each other");
-  app.add_option("--only", o.only, "of the real pairs those whose names hold this");
+  app.add_flag("--fitted", o.fitted, "parts that fit into each other, pressed, wedged and jammed");
+  app.add_option("--only", o.only, "of these those whose names hold this");
   app.add_option("--method", o.method, "pdg or pdt")
       ->check(CLI::IsMember(sonde::method_names))
       ->capture_default_str();

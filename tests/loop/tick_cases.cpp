@@ -7,6 +7,8 @@
 
 #include "engine/scene/scene.hpp"
 #include "tests/loop/device_path.hpp"
+#include "tests/support/fitted_parts.hpp"
+#include "tests/support/joints.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde::ticks {
@@ -90,6 +92,24 @@ TickCase slab_case(int cuts) {
       .rest(0.15, at(-0.004, 0.008, above), none)
       .hold(0.02);
   out.path = sampled(path);
+  return out;
+}
+
+std::vector<TickCase> fitted_cases(const std::string& only) {
+  std::vector<test::FittedScene> scenes = test::fitted_scenes();
+  for (test::FittedScene& joint : test::joint_scenes()) scenes.push_back(std::move(joint));
+  std::vector<TickCase> out;
+  for (const test::FittedScene& scene : scenes) {
+    if (scene.name.find(only) == std::string::npos) continue;
+    TickCase c;
+    c.name = scene.name;
+    c.probe = test::body(scene.probe);
+    c.fixed = test::body(scene.fixed);
+    const std::vector<Pose> poses = test::fitted_path(scene.path, 3000);
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      c.path.push_back({1e-3 * static_cast<double>(i), poses[i]});
+    out.push_back(std::move(c));
+  }
   return out;
 }
 

@@ -30,4 +30,8 @@ TickCase scene_case(const std::string& file, int knots);
 /// changes nothing about the two shapes, and so must not change the answer.
 TickCase slab_case(int cuts);
 
+/// Parts that fit into each other, pressed, wedged and jammed: those of fitted_parts.hpp and of
+/// joints.hpp, 3000 ticks each. Their names hold `only`.
+std::vector<TickCase> fitted_cases(const std::string& only);
+
 }  // namespace sonde::ticks

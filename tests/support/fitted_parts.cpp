@@ -183,8 +183,12 @@ std::vector<Pose> fitted_path(const FittedPath& path, int ticks) {
       wave[k] = share * std::sin(two_pi * rate[u] * x + phase[u]);
     }
     const Vec3 aside = path.aside * Vec3(wave[0], wave[1], 0.5 * wave[2]);
-    out.push_back({rotation_by(path.tilt * wave.tail<3>()),
-                   aside + Vec3(0, 0, path.from + in * (path.to - path.from))});
+    const double z = path.from + in * (path.to - path.from);
+    const double turn = (path.lead > 0 ? two_pi * z / path.lead : 0) + share * path.over;
+    out.push_back(
+        {(rotation_by(path.tilt * wave.tail<3>()) * Quat(Eigen::AngleAxisd(turn, Vec3::UnitZ())))
+             .normalized(),
+         aside + Vec3(0, 0, z)});
   }
   return out;
 }

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/joints.hpp"
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "engine/base/numbers.hpp"
+
+namespace sonde::test {
+namespace {
+
+constexpr double milli = 1e-3;
+
+/// A point of ring j at corner i.
+using RingPoint = std::function<Vec3(int, int)>;
+
+void add_triangle(PolygonSoup& soup, std::size_t a, std::size_t b, std::size_t c, bool outwards) {
+  soup.polygons.push_back(outwards ? Polygon{a, b, c} : Polygon{a, c, b});
+}
+
+/// A wall of rings; returns the index of its first corner. Outwards: seen from away from the axis.
+std::size_t add_rings(PolygonSoup& soup, int sides, int rings, const RingPoint& at, bool outwards) {
+  const std::size_t first = soup.points.size(), n = static_cast<std::size_t>(sides);
+  for (int j = 0; j < rings; ++j)
+    for (int i = 0; i < sides; ++i) soup.points.push_back(at(i, j));
+  for (std::size_t j = 0; j + 1 < static_cast<std::size_t>(rings); ++j)
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t low = first + j * n, k = (i + 1) % n;
+      add_triangle(soup, low + i, low + k, low + n + k, outwards);
+      add_triangle(soup, low + i, low + n + k, low + n + i, outwards);
+    }
+  return first;
+}
+
+/// A strip between two rings that are there already.
+void add_strip(PolygonSoup& soup, int sides, std::size_t low, std::size_t high, bool outwards) {
+  const auto n = static_cast<std::size_t>(sides);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t k = (i + 1) % n;
+    add_triangle(soup, low + i, low + k, high + k, outwards);
+    add_triangle(soup, low + i, high + k, high + i, outwards);
+  }
+}
+
+void add_fan(PolygonSoup& soup, int sides, std::size_t ring, const Vec3& middle, bool upwards) {
+  const auto n = static_cast<std::size_t>(sides);
+  soup.points.push_back(middle);
+  for (std::size_t i = 0; i < n; ++i)
+    add_triangle(soup, ring + i, ring + (i + 1) % n, soup.points.size() - 1, upwards);
+}
+
+Vec3 on_circle(double radius, int i, int sides, double z) {
+  const double angle = two_pi * i / sides;
+  return {radius * std::cos(angle), radius * std::sin(angle), z};
+}
+
+double thread_radius(const Thread& of, int i, double z) {
+  const double turns = z / of.lead - double(i) / of.sides;
+  return of.root + (of.tip - of.root) * std::abs(2 * (turns - std::floor(turns)) - 1);
+}
+
+/// The corners of a well's cell on a square, as many as the well has sides: a multiple of 8.
+Vec3 on_square(double half, int i, int sides, double z) {
+  const Vec3 x = on_circle(1, i, sides, 0);
+  return Vec3(x.x(), x.y(), 0) * (half / std::max(std::abs(x.x()), std::abs(x.y()))) +
+         Vec3(0, 0, z);
+}
+
+void add_cell(PolygonSoup& soup, const Studs& of, double radius, double depth, double bottom,
+              const Vec3& middle) {
+  const double half = of.pitch / 2;
+  const auto ring = [&](double size, double z, bool square) {
+    const std::size_t first = soup.points.size();
+    for (int i = 0; i < of.sides; ++i)
+      soup.points.push_back(
+          middle + (square ? on_square(size, i, of.sides, z) : on_circle(size, i, of.sides, z)));
+    return first;
+  };
+  const std::size_t floor = ring(radius, -depth, false), mouth = ring(radius, 0, false);
+  const std::size_t edge = ring(half, 0, true), under = ring(half, bottom, true);
+  add_strip(soup, of.sides, floor, mouth, false);
+  add_fan(soup, of.sides, floor, middle + Vec3(0, 0, -depth), true);
+  add_strip(soup, of.sides, edge, mouth, true);
+  add_fan(soup, of.sides, under, middle + Vec3(0, 0, bottom), false);
+}
+
+void each_stud(const Studs& of, const std::function<void(const Vec3&, int, int)>& visit) {
+  for (int i = 0; i < of.across; ++i)
+    for (int j = 0; j < of.across; ++j)
+      visit(of.pitch * Vec3(i - 0.5 * (of.across - 1), j - 0.5 * (of.across - 1), 0), i, j);
+}
+
+void add_box(PolygonSoup& soup, const Vec3& low, const Vec3& high) {
+  const std::size_t first = soup.points.size();
+  for (int i = 0; i < 8; ++i)
+    soup.points.emplace_back(i & 1 ? high.x() : low.x(), i & 2 ? high.y() : low.y(),
+                             i & 4 ? high.z() : low.z());
+  for (const Polygon& face : {Polygon{0, 2, 3, 1},
+                              {4, 5, 7, 6},
+                              {0, 1, 5, 4},
+                              {2, 6, 7, 3},
+                              {0, 4, 6, 2},
+                              {1, 3, 7, 5}}) {
+    soup.polygons.push_back({first + face[0], first + face[1], first + face[2]});
+    soup.polygons.push_back({first + face[0], first + face[2], first + face[3]});
+  }
+}
+
+/// A sheet across x, its faces cut into `cuts` × `cuts`.
+PolygonSoup sheet(double half_width, double half_thickness, int cuts) {
+  PolygonSoup out;
+  // A ring for each x goes once round the sheet.
+  const int around = 2 * cuts;
+  const auto at = [&](int i, int j) {
+    const int k = i % around;
+    const double share = k < cuts ? double(k) / (cuts - 1) : double(around - 1 - k) / (cuts - 1);
+    return Vec3((k < cuts ? 1 : -1) * half_thickness, half_width * (2 * share - 1),
+                half_width * (2.0 * j / cuts - 1));
+  };
+  const std::size_t first = add_rings(out, around, cuts + 1, at, true);
+  const std::size_t last = first + static_cast<std::size_t>(around * cuts);
+  add_fan(out, around, first, {0, 0, -half_width}, false);
+  add_fan(out, around, last, {0, 0, half_width}, true);
+  return out;
+}
+
+/// Two walls on a floor, with such a slot between them.
+PolygonSoup slot(double half_width, double half_slot, double wall) {
+  PolygonSoup out;
+  add_box(out, {-half_slot - wall, -half_width, -half_width}, {-half_slot, half_width, half_width});
+  add_box(out, {half_slot, -half_width, -half_width}, {half_slot + wall, half_width, half_width});
+  add_box(out, {-half_slot - wall, -half_width, -half_width - wall},
+          {half_slot + wall, half_width, -half_width});
+  return out;
+}
+
+FittedScene screwed(const std::string& name, const Thread& thread, double room, double from,
+                    double to, double over, std::uint64_t seed) {
+  FittedPath path{from, to, 0.3 * milli, 0.02, seed};
+  path.lead = thread.lead;
+  path.over = over;
+  return {name, nut(thread, 5 * milli, room, 1.8 * thread.tip), bolt(thread, 14 * milli), path};
+}
+
+}  // namespace
+
+PolygonSoup ball(double radius, int sides, int rings) {
+  PolygonSoup out;
+  const auto at = [&](int i, int j) {
+    const double angle = std::numbers::pi * (j + 1) / (rings + 1);
+    return on_circle(radius * std::sin(angle), i, sides, -radius * std::cos(angle));
+  };
+  const std::size_t first = add_rings(out, sides, rings, at, true);
+  add_fan(out, sides, first, {0, 0, -radius}, false);
+  add_fan(out, sides, first + static_cast<std::size_t>(sides * (rings - 1)), {0, 0, radius}, true);
+  return out;
+}
+
+PolygonSoup ball_socket(double radius, int sides, int rings, double open, double below) {
+  PolygonSoup out;
+  const double last = std::acos(-open / radius);  // from the lowest point
+  const auto at = [&](int i, int j) {
+    const double angle = last * (j + 1) / rings;
+    return on_circle(radius * std::sin(angle), i, sides, -radius * std::cos(angle));
+  };
+  const std::size_t first = add_rings(out, sides, rings, at, false);
+  add_fan(out, sides, first, {0, 0, -radius}, true);
+  const std::size_t mouth = first + static_cast<std::size_t>(sides * (rings - 1));
+  const auto outside = [&](int i, int j) {
+    return on_circle(1.4 * radius, i, sides, j == 0 ? -below : open);
+  };
+  const std::size_t foot = add_rings(out, sides, 2, outside, true);
+  add_strip(out, sides, foot + static_cast<std::size_t>(sides), mouth, true);
+  add_fan(out, sides, foot, {0, 0, -below}, false);
+  return out;
+}
+
+PolygonSoup bolt(const Thread& thread, double half) {
+  PolygonSoup out;
+  const int levels = static_cast<int>(std::lround(2 * half / thread.lead * thread.levels));
+  const auto z = [&](int j) { return half * (2.0 * j / levels - 1); };
+  const auto at = [&](int i, int j) {
+    return on_circle(thread_radius(thread, i, z(j)), i, thread.sides, z(j));
+  };
+  const std::size_t first = add_rings(out, thread.sides, levels + 1, at, true);
+  add_fan(out, thread.sides, first, {0, 0, -half}, false);
+  add_fan(out, thread.sides, first + static_cast<std::size_t>(thread.sides * levels), {0, 0, half},
+          true);
+  return out;
+}
+
+PolygonSoup nut(const Thread& thread, double half, double room, double outer) {
+  PolygonSoup out;
+  const int levels = static_cast<int>(std::lround(2 * half / thread.lead * thread.levels));
+  const auto z = [&](int j) { return half * (2.0 * j / levels - 1); };
+  const auto at = [&](int i, int j) {
+    return on_circle(thread_radius(thread, i, z(j)) + room, i, thread.sides, z(j));
+  };
+  const std::size_t inside = add_rings(out, thread.sides, levels + 1, at, false);
+  const auto rim = [&](int i, int j) {
+    return on_circle(outer, i, thread.sides, j == 0 ? -half : half);
+  };
+  const std::size_t outside = add_rings(out, thread.sides, 2, rim, true);
+  const auto n = static_cast<std::size_t>(thread.sides);
+  add_strip(out, thread.sides, inside, outside, true);
+  add_strip(out, thread.sides, outside + n, inside + n * static_cast<std::size_t>(levels), true);
+  return out;
+}
+
+PolygonSoup studs(const Studs& of, double plate) {
+  PolygonSoup out;
+  const double half = of.pitch * of.across / 2;
+  add_box(out, {-half, -half, 0}, {half, half, plate});
+  each_stud(of, [&](const Vec3& middle, int, int) {
+    // It ends inside the plate: two bodies that overlap.
+    const auto at = [&](int i, int j) {
+      return Vec3(middle + on_circle(of.radius, i, of.sides, j == 0 ? -of.height : plate / 2));
+    };
+    const std::size_t first = add_rings(out, of.sides, 2, at, true);
+    add_fan(out, of.sides, first, middle + Vec3(0, 0, -of.height), false);
+    add_fan(out, of.sides, first + static_cast<std::size_t>(of.sides),
+            middle + Vec3(0, 0, plate / 2), true);
+  });
+  return out;
+}
+
+PolygonSoup wells(const Studs& of, double room, double plate) {
+  PolygonSoup out;
+  const double bottom = -of.height - plate;
+  each_stud(of, [&](const Vec3& middle, int, int) {
+    add_cell(out, of, of.radius + room, of.height + room, bottom, middle);
+  });
+  // The sides, over the corners that the cells have there.
+  const double half = of.pitch / 2;
+  each_stud(of, [&](const Vec3& middle, int column, int row) {
+    for (int i = 0; i < of.sides; ++i) {
+      const Vec3 a = on_square(half, i, of.sides, 0), b = on_square(half, i + 1, of.sides, 0);
+      const Vec3 m = (a + b) / 2;
+      const bool outside = (m.x() > 0.999 * half && column == of.across - 1) ||
+                           (m.x() < -0.999 * half && column == 0) ||
+                           (m.y() > 0.999 * half && row == of.across - 1) ||
+                           (m.y() < -0.999 * half && row == 0);
+      if (!outside) continue;
+      const std::size_t first = out.points.size();
+      for (const Vec3& x : {a, b}) {
+        out.points.push_back(middle + x + Vec3(0, 0, bottom));
+        out.points.push_back(middle + x);
+      }
+      out.polygons.push_back({first, first + 2, first + 3});
+      out.polygons.push_back({first, first + 3, first + 1});
+    }
+  });
+  return out;
+}
+
+std::vector<FittedScene> joint_scenes() {
+  std::vector<FittedScene> out;
+  const auto add_ball = [&](const std::string& name, double radius, double room, int sides,
+                            int rings, int socket, double open, const FittedPath& path) {
+    out.push_back({name, ball(radius, sides, rings),
+                   ball_socket(radius + room, socket, socket / 3, open, 1.3 * radius), path});
+  };
+  add_ball("ball, 1 %", 10 * milli, 0.1 * milli, 34, 32, 42, -0.5 * milli,
+           {14 * milli, -0.3 * milli, 1.2 * milli, 0.3, 31});
+  add_ball("ball, 0.4 %", 14 * milli, 0.056 * milli, 26, 21, 50, -1 * milli,
+           {20 * milli, -0.2 * milli, 0.8 * milli, 0.1, 32});
+  add_ball("ball, coarse, 3 %", 8 * milli, 0.24 * milli, 15, 12, 18, -1 * milli,
+           {12 * milli, -0.6 * milli, 2 * milli, 0.5, 33});
+  const auto add_studs = [&](const std::string& name, const Studs& of, double room,
+                             const FittedPath& path) {
+    out.push_back({name, studs(of, 3 * milli), wells(of, room, 3 * milli), path});
+  };
+  add_studs("studs, 4 x 4", {4, 24, 8 * milli, 2.4 * milli, 3 * milli}, 0.05 * milli,
+            {5 * milli, -0.4 * milli, 0.5 * milli, 0.02, 41});
+  add_studs("studs, 3 x 3", {3, 16, 10 * milli, 3 * milli, 5 * milli}, 0.1 * milli,
+            {7 * milli, 0.5 * milli, 0.8 * milli, 0.05, 42});
+  add_studs("studs, 6 x 6", {6, 8, 6 * milli, 2 * milli, 2 * milli}, 0.08 * milli,
+            {4 * milli, -0.5 * milli, 1 * milli, 0.03, 43});
+  // On the thread from the start on: about 7 mrad a tick.
+  out.push_back(screwed("nut, jammed", {4 * milli, 5 * milli, 1.5 * milli, 24, 8}, 0.06 * milli,
+                        6 * milli, 4.5 * milli, 1.2, 51));
+  out.push_back(screwed("nut, coarse, jammed", {6 * milli, 8 * milli, 4 * milli, 16, 8},
+                        0.1 * milli, 8 * milli, 4 * milli, 2, 52));
+  out.push_back(screwed("nut, loose", {5 * milli, 6.2 * milli, 2.5 * milli, 40, 10}, 0.15 * milli,
+                        7.5 * milli, 5 * milli, 0, 53));
+  const auto add_sheet = [&](const std::string& name, double thickness, double room, int cuts,
+                             const FittedPath& path) {
+    out.push_back({name, sheet(10 * milli, thickness / 2, cuts),
+                   slot(11 * milli, thickness / 2 + room, 4 * milli), path});
+  };
+  add_sheet("sheet, 1 %", 1 * milli, 0.01 * milli, 9, {23 * milli, 0, 0.6 * milli, 0.06, 61});
+  add_sheet("sheet, fine", 0.4 * milli, 0.02 * milli, 24,
+            {23 * milli, -2 * milli, 0.8 * milli, 0.1, 62});
+  add_sheet("sheet, thick", 4 * milli, 0.05 * milli, 4,
+            {23 * milli, 1 * milli, 1 * milli, 0.08, 63});
+  return out;
+}
+
+}  // namespace sonde::test
