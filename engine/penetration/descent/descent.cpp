@@ -126,7 +126,8 @@ struct Descent::Pace {
     const double moved = swept.free_until * step.norm();
     last = step;
     went = moved;
-    stalled = moved > worth_while ? 0 : stalled + 1;
+    // A path that was too long to sweep says nothing about progress: the next one is shorter.
+    stalled = moved > worth_while ? 0 : stalled + !swept.given_up;
     scale = std::max(moved, 0.1 * scale);
     const bool cut_short = swept.hit && !swept.given_up && swept.free_until < 0.5;
     bending = cut_short ? std::min(descent_tuning.bending_growth * bending,
@@ -351,7 +352,9 @@ class Descent::Run {
     }
     const Vec6 step = pace_.damped(wanted);
     const Vec6 target = y_ + step;
-    const Sweep swept = descent_.sweep_to(chart_, y_, target, effort_);
+    const Sweep swept = effort_.at_most(descent_tuning.most_work_of_sweep, [&](Effort& part) {
+      return descent_.sweep_to(chart_, y_, target, part);
+    });
     learn_longest_path(swept, target);
     out_.fallen += fallen(y_, swept.free_until * step, goal_.held_slope);
     y_ = swept.hit ? Vec6(y_ + swept.free_until * step) : target;
@@ -366,7 +369,7 @@ class Descent::Run {
     double& longest = descent_.longest_path_;
     if (!swept.given_up)
       longest *= 2;
-    else if (out_.iterations == 1)
+    else
       longest = descent_tuning.longest_after_giving_up *
                 Motion(chart_, y_, target).farthest(chart_.mass().radius);
   }

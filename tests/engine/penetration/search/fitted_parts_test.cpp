@@ -14,6 +14,7 @@
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/penetration/search/far_apart.hpp"
 #include "tests/engine/penetration/ways_down.hpp"
+#include "tests/support/joints.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
@@ -32,14 +33,17 @@ std::vector<Separation> follow(const test::FittedScene& scene, int ticks) {
   return out;
 }
 
-void expect_optima(int ticks, int every, int tries) {
-  for (const test::FittedScene& scene : test::fitted_scenes()) {
+void expect_optima(const std::vector<test::FittedScene>& scenes, int ticks, int every, int tries) {
+  for (const test::FittedScene& scene : scenes) {
     const auto probe = test::body(scene.probe), fixed = test::body(scene.fixed);
     const std::vector<Separation> all = follow(scene, ticks);
     std::mt19937_64 random(7);
     int looked_at = 0, converged = 0, contact = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (all[i].status != Status::penetrating) continue;
+      // Half a turn from the device, either way round is as short: a tick may stop there, and says
+      // that it has not converged.
+      if (all[i].device.q.angularDistance(all[i].separated.q) > 3.1) continue;
       ++contact;
       converged += all[i].converged;
       if (!all[i].converged || i % static_cast<std::size_t>(every) != 0 ||
@@ -54,8 +58,18 @@ void expect_optima(int ticks, int every, int tries) {
   }
 }
 
-TEST(FittedParts, what_holds_a_probe_leaves_no_way_down) { expect_optima(600, 50, 200); }
-TEST(FittedParts, Full_what_holds_a_probe_leaves_no_way_down) { expect_optima(3000, 60, 1500); }
+TEST(FittedParts, what_holds_a_probe_leaves_no_way_down) {
+  expect_optima(test::fitted_scenes(), 600, 50, 200);
+}
+TEST(FittedParts, Full_what_holds_a_probe_leaves_no_way_down) {
+  expect_optima(test::fitted_scenes(), 3000, 60, 1500);
+}
+TEST(FittedParts, what_holds_a_joint_leaves_no_way_down) {
+  expect_optima(test::joint_scenes(), 1000, 100, 100);
+}
+TEST(FittedParts, Full_what_holds_a_joint_leaves_no_way_down) {
+  expect_optima(test::joint_scenes(), 3000, 60, 1500);
+}
 
 // The shape is the same: so is what is felt, but where a tick says that it fell.
 TEST(FittedParts, how_walls_are_cut_changes_nothing) {
