@@ -248,6 +248,8 @@ class Descent::Run {
     // the first step. This is so in most ticks.
     bool known = rows_.reuse_rows(chart_, y_);
     while (look_around(known) && !is_at_end() && advance()) known = false;
+    // Paths that were cut short cost nothing but time where the descent converged all the same.
+    if (!out_.converged) out_.limited += cut_short_;
     return out_;
   }
 
@@ -356,6 +358,7 @@ class Descent::Run {
       return descent_.sweep_to(chart_, y_, target, part);
     });
     learn_longest_path(swept, target);
+    cut_short_ += swept.given_up && !effort_.is_spent();
     out_.fallen += fallen(y_, swept.free_until * step, goal_.held_slope);
     y_ = swept.hit ? Vec6(y_ + swept.free_until * step) : target;
     pace_.learn(step, swept, descent_tuning.nowhere * std::max(margin_, 1e-3 * wanted_),
@@ -386,6 +389,7 @@ class Descent::Run {
   double margin_ = 0;      // m: the gap aimed at, at y_
   LeastDistance nearest_;  // solution of the current rows
   double wanted_ = 0;      // m: length of the first undamped step here
+  int cut_short_ = 0;      // paths whose sweep was given up
   Outcome out_;
 };
 

@@ -53,7 +53,8 @@ class Descent {
     int iterations = 0;
     bool converged = false;
     /// Number of limits that acted: the maximum number of checks of a path or of steps without
-    /// progress (DescentTuning), no room for more rows, or an end at the rim of the chart.
+    /// progress (DescentTuning), no room for more rows, or an end at the rim of the chart; and, if
+    /// the descent has not converged, sweeps that took too much work.
     int limited = 0;
 
     void move_to(const Vec6& to) noexcept;
