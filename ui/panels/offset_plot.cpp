@@ -1,8 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/offset_plot.hpp"
 
+#include <vtkAxis.h>
+#include <vtkChartXY.h>
+#include <vtkContextScene.h>
+#include <vtkImageData.h>
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
+#include <vtkPen.h>
+#include <vtkPlot.h>
+#include <vtkPlotHistogram2D.h>
+
+#include <QLabel>
 #include <QMouseEvent>
-#include <QPainter>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,12 +20,14 @@
 #include <utility>
 
 #include "ui/base/theme.hpp"
+#include "ui/panels/chart_style.hpp"
 
 namespace sonde::ui {
 namespace {
 
 constexpr double to_degrees = 180 / std::numbers::pi;
-constexpr double map_left = 46, map_right = 10;  // px
+constexpr double map_left = 46, map_right = 18, map_head = 20, map_foot = 38;  // px
+constexpr int legend_edge = 4;                                                 // px
 
 /// What can be of a point, in the colours that the study's picture has.
 struct Outcome {
@@ -28,90 +40,139 @@ const std::array<Outcome, 3>& outcomes() {
                                            {"overlaps at once", {0xba, 0xba, 0xba}}}};
   return all;
 }
-const Outcome& outcome(double free, double wanted) {
-  return outcomes().at(free >= wanted ? 0 : free >= 0 ? 1 : 2);
+std::size_t outcome(double free, double wanted) { return free >= wanted ? 0 : free >= 0 ? 1 : 2; }
+
+QString legend_text(const QPalette& palette) {
+  QStringList texts;
+  for (const Outcome& each : outcomes())
+    texts << QStringLiteral("<span style='color:%1'>■</span>&nbsp;%2")
+                 .arg(each.colour.name(),
+                      QString::fromUtf8(each.words).replace(QLatin1Char(' '), "&nbsp;"));
+  return QStringLiteral("<span style='color:%1'>%2</span>")
+      .arg(faint_text(palette).name(), texts.join(QStringLiteral("&nbsp; ")));
+}
+
+/// At the first cell, the middle and the last one.
+std::vector<AxisMark> marks_of(std::size_t cells, double largest) {
+  const double count = static_cast<double>(cells);
+  if (cells < 2) return {{0.5, QStringLiteral("0")}};
+  return {
+      {0.5, number(-largest)}, {0.5 * count, QStringLiteral("0")}, {count - 0.5, number(largest)}};
 }
 
 }  // namespace
 
-OffsetPlot::OffsetPlot(QWidget* parent) : QWidget(parent) {
+/// The axes count cells.
+struct OffsetPlot::Map {
+  explicit Map(vtkContextScene& scene) {
+    set_up(*chart);
+    vtkNew<vtkLookupTable> colours;
+    colours->SetNumberOfTableValues(static_cast<vtkIdType>(outcomes().size()));
+    colours->SetTableRange(0, static_cast<double>(outcomes().size()) - 1);
+    for (vtkIdType i = 0; const Outcome& each : outcomes())
+      colours->SetTableValue(i++, each.colour.redF(), each.colour.greenF(), each.colour.blueF());
+    cells->SetTransferFunction(colours);
+    chart->AddPlot(cells);
+    chosen = add_line(*chart);
+    chosen->SetVisible(false);
+    chart->SetVisible(false);
+    scene.AddItem(chart);
+  }
+
+  void fill(const OffsetMap& map) {
+    chart->SetVisible(!map.free.empty());
+    if (map.free.empty()) return;
+    const auto wide = static_cast<int>(map.at.offsets), high = static_cast<int>(map.at.tilts);
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(wide, high, 1);
+    image->AllocateScalars(VTK_DOUBLE, 1);
+    auto* at = static_cast<double*>(image->GetScalarPointer());
+    for (std::size_t j = 0; j < map.at.tilts; ++j)
+      for (std::size_t i = 0; i < map.at.offsets; ++i)
+        *at++ = static_cast<double>(outcome(map.free[i * map.at.tilts + j], map.wanted));
+    cells->SetInputData(image);
+    cells->SetPosition({0, 0, static_cast<float>(wide), static_cast<float>(high)});
+    chart->GetAxis(vtkAxis::BOTTOM)->SetRange(0, wide);
+    chart->GetAxis(vtkAxis::LEFT)->SetRange(0, high);
+  }
+
+  /// Round a cell, within it: half the line is `edge` wide, in cells.
+  void mark(const std::optional<MapPlace>& place, const QSizeF& edge) {
+    chosen->SetVisible(place.has_value());
+    if (!place) return;
+    const QRectF cell(static_cast<double>(place->offset), static_cast<double>(place->tilt), 1, 1);
+    const QRectF inner = cell.adjusted(edge.width(), edge.height(), -edge.width(), -edge.height());
+    set_points(*chosen, {inner.topLeft(), inner.topRight(), inner.bottomRight(), inner.bottomLeft(),
+                         inner.topLeft()});
+  }
+
+  vtkNew<vtkChartXY> chart;
+  vtkNew<vtkPlotHistogram2D> cells;
+  vtkPlot* chosen;
+};
+
+OffsetPlot::OffsetPlot(QWidget* parent)
+    : ChartCanvas(parent), drawn_(std::make_unique<Map>(scene())), legend_(new QLabel(this)) {
   setObjectName(QStringLiteral("offset_plot"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setToolTip(QStringLiteral("A click takes the probe to the mouth, off by that much"));
   QFont small = font();
   small.setPointSizeF(8.5);
-  setFont(small);
+  legend_->setFont(small);
+  legend_->setTextFormat(Qt::RichText);
+  legend_->setWordWrap(true);
+  legend_->setText(legend_text(palette()));
+  drawn_->chart->SetTitle("angle of tilt, °");
 }
+
+OffsetPlot::~OffsetPlot() = default;
 
 void OffsetPlot::set_map(OffsetMap map, const LengthUnit& unit) {
   map_ = std::move(map);
-  unit_ = unit;
   chosen_.reset();
-  update();
+  drawn_->fill(map_);
+  vtkAxis& offsets = *drawn_->chart->GetAxis(vtkAxis::BOTTOM);
+  offsets.SetTitle(QStringLiteral("offset, %1").arg(unit.name()).toStdString());
+  set_marks(offsets, marks_of(map_.at.offsets, map_.at.largest_offset / unit.metres()));
+  set_marks(*drawn_->chart->GetAxis(vtkAxis::LEFT),
+            marks_of(map_.at.tilts, map_.at.largest_tilt * to_degrees));
+  redraw();
 }
 
 void OffsetPlot::choose(std::optional<MapPlace> place) {
   chosen_ = place;
-  update();
+  redraw();
 }
 
 QRectF OffsetPlot::area() const {
-  const double line = QFontMetricsF(font()).height();
-  return {map_left, line + 6, std::max(width() - map_left - map_right, 1.0),
-          std::max(height() - 3 * line - 16, 1.0)};
+  const double legend = legend_->heightForWidth(width() - 2 * legend_edge) + legend_edge;
+  return {map_left, map_head, std::max(width() - map_left - map_right, 1.0),
+          std::max(height() - map_head - map_foot - legend, 1.0)};
 }
 
 /// Offsets to the right, tilts upwards.
-QRectF OffsetPlot::cell(const MapPlace& place) const {
+QPointF OffsetPlot::place_of(const MapPlace& place) const {
   const QRectF all = area();
-  const double wide = all.width() / static_cast<double>(map_.at.offsets),
-               high = all.height() / static_cast<double>(map_.at.tilts);
-  return {all.left() + wide * static_cast<double>(place.offset),
-          all.bottom() - high * static_cast<double>(place.tilt + 1), wide, high};
+  return {all.left() + all.width() * (static_cast<double>(place.offset) + 0.5) /
+                           static_cast<double>(map_.at.offsets),
+          all.bottom() - all.height() * (static_cast<double>(place.tilt) + 0.5) /
+                             static_cast<double>(map_.at.tilts)};
 }
 
-QPointF OffsetPlot::place_of(const MapPlace& place) const { return cell(place).center(); }
-
-void OffsetPlot::paintEvent(QPaintEvent* /*event*/) {
-  QPainter painter(this);
-  painter.fillRect(rect(), plot_background(palette()));
-  if (map_.free.empty()) return;
-  for (std::size_t i = 0; i < map_.at.offsets; ++i)
-    for (std::size_t j = 0; j < map_.at.tilts; ++j)
-      // To whole pixels, so that no seam shows between cells.
-      painter.fillRect(cell({i, j}).toAlignedRect(),
-                       outcome(map_.free[i * map_.at.tilts + j], map_.wanted).colour);
-  if (chosen_) {
-    painter.setPen(QPen(palette().color(QPalette::WindowText), 2));
-    painter.drawRect(cell(*chosen_).adjusted(0, 0, -1, -1));
-  }
-  paint_words(painter);
-}
-
-void OffsetPlot::paint_words(QPainter& painter) const {
+void OffsetPlot::arrange(double ratio) {
+  legend_->setText(legend_text(palette()));
   const QRectF all = area();
-  const double line = QFontMetricsF(font()).height();
-  painter.setPen(faint_text(palette()));
-  painter.drawText(QPointF(4, line),
-                   QStringLiteral("tilt, ° (up), by offset, %1").arg(unit_.name()));
-  const double offset = map_.at.largest_offset / unit_.metres(),
-               tilt = map_.at.largest_tilt * to_degrees;
-  const QRectF foot(all.left(), all.bottom() + 2, all.width(), line);
-  painter.drawText(foot, Qt::AlignLeft, number(-offset));
-  painter.drawText(foot, Qt::AlignHCenter, QStringLiteral("0"));
-  painter.drawText(foot, Qt::AlignRight, number(offset));
-  const QRectF side(0, all.top(), map_left - 4, all.height());
-  painter.drawText(side, Qt::AlignRight | Qt::AlignTop, number(tilt));
-  painter.drawText(side, Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("0"));
-  painter.drawText(side, Qt::AlignRight | Qt::AlignBottom, number(-tilt));
-  double x = 4;
-  const double y = height() - 4 - line;
-  for (const Outcome& each : outcomes()) {
-    const QString words = QString::fromUtf8(each.words);
-    painter.fillRect(QRectF(x, y + 2, 10, line - 4), each.colour);
-    painter.drawText(QPointF(x + 14, y + line - 4), words);
-    x += 22 + QFontMetricsF(font()).horizontalAdvance(words);
-  }
+  const int wide = width() - 2 * legend_edge, high = legend_->heightForWidth(wide);
+  legend_->setGeometry(legend_edge, height() - high - legend_edge, wide, high);
+  drawn_->chart->SetSize(vtkRectf(float(all.left() * ratio),
+                                  float((height() - all.bottom()) * ratio),
+                                  float(all.width() * ratio), float(all.height() * ratio)));
+  set_theme(*drawn_->chart, palette());
+  set_pen(*drawn_->chosen->GetPen(), palette().color(QPalette::WindowText));
+  drawn_->chosen->SetWidth(float(2 * ratio));
+  drawn_->mark(chosen_, {static_cast<double>(map_.at.offsets) / all.width(),
+                         static_cast<double>(map_.at.tilts) / all.height()});
+  drawn_->chart->RecalculateBounds();
 }
 
 void OffsetPlot::mousePressEvent(QMouseEvent* event) {

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QWidget>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "engine/study/assembly/insertion_map.hpp"
 #include "ui/base/format.hpp"
+#include "ui/panels/chart_canvas.hpp"
+
+class QLabel;
 
 namespace sonde::ui {
 
@@ -25,29 +28,31 @@ struct MapPlace {
 
 /// A map of offsets to either side by tilts: a cell for each, in the colour of whether it goes in.
 /// A click asks for a point.
-class OffsetPlot : public QWidget {
+class OffsetPlot : public ChartCanvas {
  public:
   explicit OffsetPlot(QWidget* parent);
+  ~OffsetPlot() override;
   void set_map(OffsetMap map, const LengthUnit& unit);
   void choose(std::optional<MapPlace> place);
   const OffsetMap& map() const { return map_; }
   /// The middle of a point's cell, px.
   QPointF place_of(const MapPlace& place) const;
   std::function<void(const MapPlace&)> asked;
-  QSize sizeHint() const override { return {240, 220}; }
-  QSize minimumSizeHint() const override { return {200, 170}; }
+  QSize sizeHint() const override { return {240, 240}; }
+  QSize minimumSizeHint() const override { return {200, 190}; }
 
  protected:
-  void paintEvent(QPaintEvent* event) override;
+  void arrange(double ratio) override;
   void mousePressEvent(QMouseEvent* event) override;
 
  private:
+  struct Map;
+  /// Of the cells, px.
   QRectF area() const;
-  QRectF cell(const MapPlace& place) const;
-  void paint_words(QPainter& painter) const;
 
+  std::unique_ptr<Map> drawn_;
+  QLabel* legend_;
   OffsetMap map_;
-  LengthUnit unit_;
   std::optional<MapPlace> chosen_;
 };
 

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <QString>
-#include <QWidget>
 #include <functional>
 #include <memory>
 #include <vector>
 
 #include "engine/recording/curves.hpp"
 #include "ui/base/format.hpp"
+#include "ui/panels/chart_canvas.hpp"
 
 namespace sonde::ui {
 
@@ -41,7 +41,7 @@ struct ChartView {
 
 /// Curves over one time axis, a chart for each unit, drawn by VTK. However many ticks there are, it
 /// draws as many points as there are pixels: the lowest and the highest of each column.
-class TimeCharts : public QWidget {
+class TimeCharts : public ChartCanvas {
  public:
   explicit TimeCharts(QWidget* parent);
   ~TimeCharts() override;
@@ -49,9 +49,7 @@ class TimeCharts : public QWidget {
   void draw(const ChartView& view);
   /// How many points the last picture has of all lines.
   std::size_t points() const;
-  QWidget* canvas() const;
-  QImage picture() const;
-  /// The time at a place of the canvas, in Qt's pixels from the left; s.
+  /// The time at a place in Qt's pixels from the left; s.
   double time_at(double x) const;
 
   std::function<void(double time)> clicked, hovered;
@@ -59,8 +57,11 @@ class TimeCharts : public QWidget {
   std::function<void(double factor, double time)> zoomed;  ///< about that time
 
  protected:
-  void resizeEvent(QResizeEvent* event) override;
-  bool eventFilter(QObject* watched, QEvent* event) override;
+  void arrange(double ratio) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
 
  private:
   struct Scene;

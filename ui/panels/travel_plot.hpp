@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QWidget>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "ui/base/format.hpp"
+#include "ui/panels/chart_canvas.hpp"
 
 namespace sonde::ui {
 
@@ -20,27 +21,27 @@ struct TravelCurves {
 
 /// Room and force along a way, one above the other, with a line where one is. A click or a drag
 /// goes there.
-class TravelPlot : public QWidget {
+class TravelPlot : public ChartCanvas {
  public:
   explicit TravelPlot(QWidget* parent);
+  ~TravelPlot() override;
   void set_curves(TravelCurves curves, const LengthUnit& unit);
   void show_at(std::optional<double> travel);
   std::function<void(double travel)> sought;
-  QSize sizeHint() const override { return {240, 230}; }
-  QSize minimumSizeHint() const override { return {200, 160}; }
+  QSize sizeHint() const override { return {240, 250}; }
+  QSize minimumSizeHint() const override { return {200, 180}; }
 
  protected:
-  void paintEvent(QPaintEvent* event) override;
+  void arrange(double ratio) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
 
  private:
   struct Strip;
-  std::vector<Strip> strips() const;
-  double x_of(double travel) const;
-  void draw(QPainter& painter, const Strip& strip) const;
+  double longest() const;  ///< m; 0 where there is no way
   void seek(double x);
 
+  std::unique_ptr<Strip> room_, force_;  ///< from above
   TravelCurves curves_;
   LengthUnit unit_;
   std::optional<double> at_;

@@ -21,7 +21,7 @@ class PlotsTest : public WindowTest {
     ASSERT_TRUE(wait_until([this] { return plots().drawn() > 2; }));
   }
   PlotsPanel& plots() { return window->history().plots(); }
-  QWidget* canvas() { return plots().charts().canvas(); }
+  QWidget* canvas() { return &plots().charts(); }
   /// Pixels of the picture that are lit in about that colour.
   int lit(const QColor& colour) {
     const QImage image = plots().charts().picture().convertToFormat(QImage::Format_RGB32);

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+class vtkContextScene;
+
+namespace sonde::ui {
+
+/// A widget that charts are drawn in by VTK, behind its children. The mouse is the widget's own.
+class ChartCanvas : public QWidget {
+ public:
+  explicit ChartCanvas(QWidget* parent);
+  ~ChartCanvas() override;
+
+  QImage picture() const;
+
+ protected:
+  /// What is drawn.
+  vtkContextScene& scene() const;
+  /// Arranges and draws the charts now; where they are not seen, when they are.
+  void redraw();
+  /// Gives the charts their places and the theme's colours. VTK's lengths are device pixels:
+  /// `ratio` to one of Qt's.
+  virtual void arrange(double ratio) = 0;
+
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  struct Drawing;
+  std::unique_ptr<Drawing> drawing_;
+};
+
+}  // namespace sonde::ui
