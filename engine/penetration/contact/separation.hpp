@@ -126,9 +126,9 @@ struct Separation {
   bool converged = false;
   /// Number of limits that acted in a tick, or in all descents of a search: the maximum number of
   /// rows (a step was cut short), of checks of a path, or of steps without progress, or the rim of
-  /// the chart; in a tick that has not converged, also sweeps that took too much work and were cut
-  /// into shorter paths. One more is counted if a search made its maximum number of starts without evidence
-  /// that it has found the optimum. The result is verified in any case.
+  /// the chart; where a descent has not converged, also sweeps that took too much work, whose paths
+  /// were cut into shorter ones. One more is counted if a search made its maximum number of starts
+  /// without evidence that it has found the optimum. The result is verified in any case.
   int limited = 0;
   /// Coherent only: the force is discontinuous here. After a reset, Q was found by a search, not
   /// along a path. In a tick, the last separated pose was no longer a local optimum, and the path
