@@ -80,7 +80,8 @@ int main(int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   app.add_flag("--real", o.real, "four pairs of real meshes, pressed and slid on each other");
   app.add_flag("--fitted", o.fitted, "parts that fit into each other, pressed, wedged and jammed");
-  app.add_option("--only", o.only, "of these those whose names hold this");
+  app.add_option("--only", o.only,
+                 "of the real pairs and the parts that fit those whose names hold this");
   app.add_option("--method", o.method, "pdg or pdt")
       ->check(CLI::IsMember(sonde::method_names))
       ->capture_default_str();

@@ -9,7 +9,7 @@
 #include "engine/base/numbers.hpp"
 #include "engine/geometry/chart.hpp"
 #include "engine/geometry/rotation.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/rings.hpp"
 
 namespace sonde::test {
 namespace {
@@ -38,26 +38,9 @@ void add_ring(PolygonSoup& soup, const Section& section, double z) {
   for (const Vec2& x : section) soup.points.emplace_back(x.x(), x.y(), z);
 }
 
-/// Quadrilaterals between two rings of n corners, which look away from the axis, or towards it.
-void add_wall(PolygonSoup& soup, std::size_t n, std::size_t low, std::size_t high, bool outwards) {
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t j = (i + 1) % n;
-    Polygon quad{low + i, low + j, high + j, high + i};
-    if (!outwards) std::ranges::reverse(quad);
-    soup.polygons.push_back({quad[0], quad[1], quad[2]});
-    soup.polygons.push_back({quad[0], quad[2], quad[3]});
-  }
-}
-
-/// A fan about the axis.
-void add_lid(PolygonSoup& soup, std::size_t n, std::size_t ring, bool upwards) {
-  const std::size_t middle = soup.points.size();
-  soup.points.emplace_back(0, 0, soup.points[ring].z());
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t j = (i + 1) % n;
-    soup.polygons.push_back(upwards ? Polygon{ring + i, ring + j, middle}
-                                    : Polygon{ring + j, ring + i, middle});
-  }
+/// Closes the ring that begins at a corner, flat.
+void flat_lid(PolygonSoup& soup, std::size_t n, std::size_t ring, bool upwards) {
+  lid_on_ring(soup, n, ring, {0, 0, soup.points[ring].z()}, upwards);
 }
 
 FittedScene scene(const std::string& name, const Section& section, double room, double outer,
@@ -122,9 +105,10 @@ PolygonSoup fitted_plug(const Section& section, double half, const std::vector<d
   const std::size_t n = section.size();
   const std::vector<double> z = heights(half, cuts);
   for (const double height : z) add_ring(out, section, height);
-  for (std::size_t k = 0; k + 1 < z.size(); ++k) add_wall(out, n, k * n, (k + 1) * n, true);
-  add_lid(out, n, 0, false);
-  add_lid(out, n, (z.size() - 1) * n, true);
+  for (std::size_t k = 0; k + 1 < z.size(); ++k)
+    wall_between_rings(out, n, k * n, (k + 1) * n, true);
+  flat_lid(out, n, 0, false);
+  flat_lid(out, n, (z.size() - 1) * n, true);
   return out;
 }
 
@@ -141,14 +125,15 @@ PolygonSoup fitted_socket(const Section& hole, double outer, double half,
   for (Vec2& x : wide) x *= outer * radius / x.norm();
   add_ring(out, wide, -half - floor);
   add_ring(out, wide, half);
-  for (std::size_t k = 0; k + 1 < z.size(); ++k) add_wall(out, n, k * n, (k + 1) * n, false);
-  add_wall(out, n, outside, outside + n, true);
-  add_wall(out, n, outside + n, top, true);
+  for (std::size_t k = 0; k + 1 < z.size(); ++k)
+    wall_between_rings(out, n, k * n, (k + 1) * n, false);
+  wall_between_rings(out, n, outside, outside + n, true);
+  wall_between_rings(out, n, outside + n, top, true);
   if (floor > 0) {
-    add_lid(out, n, 0, true);
-    add_lid(out, n, outside, false);
+    flat_lid(out, n, 0, true);
+    flat_lid(out, n, outside, false);
   } else {
-    add_wall(out, n, 0, outside, true);
+    wall_between_rings(out, n, 0, outside, true);
   }
   return out;
 }

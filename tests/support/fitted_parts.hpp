@@ -40,7 +40,7 @@ struct FittedPath {
   double from = 0, to = 0, aside = 0, tilt = 0;
   std::uint64_t seed = 1;
   double lead = 0;  ///< m a turn about z, as a nut goes; 0: none
-  double over = 0;  ///< rad that it is turned further than the lead at the end
+  double over = 0;  ///< rad that it is turned beyond that, while it is in
 };
 std::vector<Pose> fitted_path(const FittedPath& path, int ticks);
 

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/joints.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
+#include <string>
+#include <utility>
 
 #include "engine/base/numbers.hpp"
+#include "tests/support/rings.hpp"
+#include "tests/support/shapes.hpp"
 
 namespace sonde::test {
 namespace {
@@ -15,39 +19,16 @@ constexpr double milli = 1e-3;
 /// A point of ring j at corner i.
 using RingPoint = std::function<Vec3(int, int)>;
 
-void add_triangle(PolygonSoup& soup, std::size_t a, std::size_t b, std::size_t c, bool outwards) {
-  soup.polygons.push_back(outwards ? Polygon{a, b, c} : Polygon{a, c, b});
-}
+std::size_t count(int sides) { return static_cast<std::size_t>(sides); }
 
-/// A wall of rings; returns the index of its first corner. Outwards: seen from away from the axis.
+/// Walls between rings, from the lowest up; returns the index of the first corner.
 std::size_t add_rings(PolygonSoup& soup, int sides, int rings, const RingPoint& at, bool outwards) {
-  const std::size_t first = soup.points.size(), n = static_cast<std::size_t>(sides);
+  const std::size_t first = soup.points.size(), n = count(sides);
   for (int j = 0; j < rings; ++j)
     for (int i = 0; i < sides; ++i) soup.points.push_back(at(i, j));
-  for (std::size_t j = 0; j + 1 < static_cast<std::size_t>(rings); ++j)
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t low = first + j * n, k = (i + 1) % n;
-      add_triangle(soup, low + i, low + k, low + n + k, outwards);
-      add_triangle(soup, low + i, low + n + k, low + n + i, outwards);
-    }
+  for (std::size_t low = first; low + 2 * n <= soup.points.size(); low += n)
+    wall_between_rings(soup, n, low, low + n, outwards);
   return first;
-}
-
-/// A strip between two rings that are there already.
-void add_strip(PolygonSoup& soup, int sides, std::size_t low, std::size_t high, bool outwards) {
-  const auto n = static_cast<std::size_t>(sides);
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t k = (i + 1) % n;
-    add_triangle(soup, low + i, low + k, high + k, outwards);
-    add_triangle(soup, low + i, high + k, high + i, outwards);
-  }
-}
-
-void add_fan(PolygonSoup& soup, int sides, std::size_t ring, const Vec3& middle, bool upwards) {
-  const auto n = static_cast<std::size_t>(sides);
-  soup.points.push_back(middle);
-  for (std::size_t i = 0; i < n; ++i)
-    add_triangle(soup, ring + i, ring + (i + 1) % n, soup.points.size() - 1, upwards);
 }
 
 Vec3 on_circle(double radius, int i, int sides, double z) {
@@ -55,12 +36,25 @@ Vec3 on_circle(double radius, int i, int sides, double z) {
   return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
+/// A thread along z: flanks of equal slope from `root` to `tip` (m), `lead` (m) a turn.
+struct Thread {
+  double root = 0, tip = 0, lead = 0;
+  int sides = 0;   ///< a turn
+  int levels = 0;  ///< a lead
+};
+
 double thread_radius(const Thread& of, int i, double z) {
   const double turns = z / of.lead - double(i) / of.sides;
   return of.root + (of.tip - of.root) * std::abs(2 * (turns - std::floor(turns)) - 1);
 }
 
-/// The corners of a well's cell on a square, as many as the well has sides: a multiple of 8.
+/// `across` × `across` round studs, or wells, of so many sides, a multiple of 8; m.
+struct Studs {
+  int across = 0, sides = 0;
+  double pitch = 0, radius = 0, height = 0;
+};
+
+/// The corners of a well's cell on a square, as many as the well has sides.
 Vec3 on_square(double half, int i, int sides, double z) {
   const Vec3 x = on_circle(1, i, sides, 0);
   return Vec3(x.x(), x.y(), 0) * (half / std::max(std::abs(x.x()), std::abs(x.y()))) +
@@ -79,10 +73,10 @@ void add_cell(PolygonSoup& soup, const Studs& of, double radius, double depth, d
   };
   const std::size_t floor = ring(radius, -depth, false), mouth = ring(radius, 0, false);
   const std::size_t edge = ring(half, 0, true), under = ring(half, bottom, true);
-  add_strip(soup, of.sides, floor, mouth, false);
-  add_fan(soup, of.sides, floor, middle + Vec3(0, 0, -depth), true);
-  add_strip(soup, of.sides, edge, mouth, true);
-  add_fan(soup, of.sides, under, middle + Vec3(0, 0, bottom), false);
+  wall_between_rings(soup, count(of.sides), floor, mouth, false);
+  lid_on_ring(soup, count(of.sides), floor, middle + Vec3(0, 0, -depth), true);
+  wall_between_rings(soup, count(of.sides), edge, mouth, true);
+  lid_on_ring(soup, count(of.sides), under, middle + Vec3(0, 0, bottom), false);
 }
 
 void each_stud(const Studs& of, const std::function<void(const Vec3&, int, int)>& visit) {
@@ -92,18 +86,12 @@ void each_stud(const Studs& of, const std::function<void(const Vec3&, int, int)>
 }
 
 void add_box(PolygonSoup& soup, const Vec3& low, const Vec3& high) {
+  const PolygonSoup added = box(high - low);
   const std::size_t first = soup.points.size();
-  for (int i = 0; i < 8; ++i)
-    soup.points.emplace_back(i & 1 ? high.x() : low.x(), i & 2 ? high.y() : low.y(),
-                             i & 4 ? high.z() : low.z());
-  for (const Polygon& face : {Polygon{0, 2, 3, 1},
-                              {4, 5, 7, 6},
-                              {0, 1, 5, 4},
-                              {2, 6, 7, 3},
-                              {0, 4, 6, 2},
-                              {1, 3, 7, 5}}) {
-    soup.polygons.push_back({first + face[0], first + face[1], first + face[2]});
-    soup.polygons.push_back({first + face[0], first + face[2], first + face[3]});
+  for (const Vec3& x : added.points) soup.points.push_back(x + (low + high) / 2);
+  for (Polygon polygon : added.polygons) {
+    for (std::size_t& corner : polygon) corner += first;
+    soup.polygons.push_back(std::move(polygon));
   }
 }
 
@@ -120,8 +108,8 @@ PolygonSoup sheet(double half_width, double half_thickness, int cuts) {
   };
   const std::size_t first = add_rings(out, around, cuts + 1, at, true);
   const std::size_t last = first + static_cast<std::size_t>(around * cuts);
-  add_fan(out, around, first, {0, 0, -half_width}, false);
-  add_fan(out, around, last, {0, 0, half_width}, true);
+  lid_on_ring(out, count(around), first, {0, 0, -half_width}, false);
+  lid_on_ring(out, count(around), last, {0, 0, half_width}, true);
   return out;
 }
 
@@ -132,6 +120,61 @@ PolygonSoup slot(double half_width, double half_slot, double wall) {
   add_box(out, {half_slot, -half_width, -half_width}, {half_slot + wall, half_width, half_width});
   add_box(out, {-half_slot - wall, -half_width, -half_width - wall},
           {half_slot + wall, half_width, -half_width});
+  return out;
+}
+
+/// A cylinder about the origin, down to `below` (m) under it, with a hollow of that radius up to
+/// z = `open` (m).
+PolygonSoup ball_socket(double radius, int sides, int rings, double open, double below) {
+  PolygonSoup out;
+  const double last = std::acos(-open / radius);  // from the lowest point
+  const auto at = [&](int i, int j) {
+    const double angle = last * (j + 1) / rings;
+    return on_circle(radius * std::sin(angle), i, sides, -radius * std::cos(angle));
+  };
+  const std::size_t first = add_rings(out, sides, rings, at, false);
+  lid_on_ring(out, count(sides), first, {0, 0, -radius}, true);
+  const std::size_t mouth = first + static_cast<std::size_t>(sides * (rings - 1));
+  const auto outside = [&](int i, int j) {
+    return on_circle(1.4 * radius, i, sides, j == 0 ? -below : open);
+  };
+  const std::size_t foot = add_rings(out, sides, 2, outside, true);
+  wall_between_rings(out, count(sides), foot + static_cast<std::size_t>(sides), mouth, true);
+  lid_on_ring(out, count(sides), foot, {0, 0, -below}, false);
+  return out;
+}
+
+PolygonSoup bolt(const Thread& thread, double half) {
+  PolygonSoup out;
+  const int levels = static_cast<int>(std::lround(2 * half / thread.lead * thread.levels));
+  const auto z = [&](int j) { return half * (2.0 * j / levels - 1); };
+  const auto at = [&](int i, int j) {
+    return on_circle(thread_radius(thread, i, z(j)), i, thread.sides, z(j));
+  };
+  const std::size_t first = add_rings(out, thread.sides, levels + 1, at, true);
+  lid_on_ring(out, count(thread.sides), first, {0, 0, -half}, false);
+  lid_on_ring(out, count(thread.sides), first + static_cast<std::size_t>(thread.sides * levels),
+              {0, 0, half}, true);
+  return out;
+}
+
+/// A nut about it, its thread wider by `room` (m), `outer` (m) its radius.
+PolygonSoup nut(const Thread& thread, double half, double room, double outer) {
+  PolygonSoup out;
+  const int levels = static_cast<int>(std::lround(2 * half / thread.lead * thread.levels));
+  const auto z = [&](int j) { return half * (2.0 * j / levels - 1); };
+  const auto at = [&](int i, int j) {
+    return on_circle(thread_radius(thread, i, z(j)) + room, i, thread.sides, z(j));
+  };
+  const std::size_t inside = add_rings(out, thread.sides, levels + 1, at, false);
+  const auto rim = [&](int i, int j) {
+    return on_circle(outer, i, thread.sides, j == 0 ? -half : half);
+  };
+  const std::size_t outside = add_rings(out, thread.sides, 2, rim, true);
+  const auto n = static_cast<std::size_t>(thread.sides);
+  wall_between_rings(out, count(thread.sides), inside, outside, true);
+  wall_between_rings(out, count(thread.sides), outside + n,
+                     inside + n * static_cast<std::size_t>(levels), true);
   return out;
 }
 
@@ -146,71 +189,7 @@ FittedScene screwed(const std::string& name, const Thread& thread, double room, 
           bolt(thread, 4.5 * thread.lead), path};
 }
 
-}  // namespace
-
-PolygonSoup ball(double radius, int sides, int rings) {
-  PolygonSoup out;
-  const auto at = [&](int i, int j) {
-    const double angle = std::numbers::pi * (j + 1) / (rings + 1);
-    return on_circle(radius * std::sin(angle), i, sides, -radius * std::cos(angle));
-  };
-  const std::size_t first = add_rings(out, sides, rings, at, true);
-  add_fan(out, sides, first, {0, 0, -radius}, false);
-  add_fan(out, sides, first + static_cast<std::size_t>(sides * (rings - 1)), {0, 0, radius}, true);
-  return out;
-}
-
-PolygonSoup ball_socket(double radius, int sides, int rings, double open, double below) {
-  PolygonSoup out;
-  const double last = std::acos(-open / radius);  // from the lowest point
-  const auto at = [&](int i, int j) {
-    const double angle = last * (j + 1) / rings;
-    return on_circle(radius * std::sin(angle), i, sides, -radius * std::cos(angle));
-  };
-  const std::size_t first = add_rings(out, sides, rings, at, false);
-  add_fan(out, sides, first, {0, 0, -radius}, true);
-  const std::size_t mouth = first + static_cast<std::size_t>(sides * (rings - 1));
-  const auto outside = [&](int i, int j) {
-    return on_circle(1.4 * radius, i, sides, j == 0 ? -below : open);
-  };
-  const std::size_t foot = add_rings(out, sides, 2, outside, true);
-  add_strip(out, sides, foot + static_cast<std::size_t>(sides), mouth, true);
-  add_fan(out, sides, foot, {0, 0, -below}, false);
-  return out;
-}
-
-PolygonSoup bolt(const Thread& thread, double half) {
-  PolygonSoup out;
-  const int levels = static_cast<int>(std::lround(2 * half / thread.lead * thread.levels));
-  const auto z = [&](int j) { return half * (2.0 * j / levels - 1); };
-  const auto at = [&](int i, int j) {
-    return on_circle(thread_radius(thread, i, z(j)), i, thread.sides, z(j));
-  };
-  const std::size_t first = add_rings(out, thread.sides, levels + 1, at, true);
-  add_fan(out, thread.sides, first, {0, 0, -half}, false);
-  add_fan(out, thread.sides, first + static_cast<std::size_t>(thread.sides * levels), {0, 0, half},
-          true);
-  return out;
-}
-
-PolygonSoup nut(const Thread& thread, double half, double room, double outer) {
-  PolygonSoup out;
-  const int levels = static_cast<int>(std::lround(2 * half / thread.lead * thread.levels));
-  const auto z = [&](int j) { return half * (2.0 * j / levels - 1); };
-  const auto at = [&](int i, int j) {
-    return on_circle(thread_radius(thread, i, z(j)) + room, i, thread.sides, z(j));
-  };
-  const std::size_t inside = add_rings(out, thread.sides, levels + 1, at, false);
-  const auto rim = [&](int i, int j) {
-    return on_circle(outer, i, thread.sides, j == 0 ? -half : half);
-  };
-  const std::size_t outside = add_rings(out, thread.sides, 2, rim, true);
-  const auto n = static_cast<std::size_t>(thread.sides);
-  add_strip(out, thread.sides, inside, outside, true);
-  add_strip(out, thread.sides, outside + n, inside + n * static_cast<std::size_t>(levels), true);
-  return out;
-}
-
+/// On the face z = 0 of a plate.
 PolygonSoup studs(const Studs& of, double plate) {
   PolygonSoup out;
   const double half = of.pitch * of.across / 2;
@@ -221,13 +200,14 @@ PolygonSoup studs(const Studs& of, double plate) {
       return Vec3(middle + on_circle(of.radius, i, of.sides, j == 0 ? -of.height : plate / 2));
     };
     const std::size_t first = add_rings(out, of.sides, 2, at, true);
-    add_fan(out, of.sides, first, middle + Vec3(0, 0, -of.height), false);
-    add_fan(out, of.sides, first + static_cast<std::size_t>(of.sides),
-            middle + Vec3(0, 0, plate / 2), true);
+    lid_on_ring(out, count(of.sides), first, middle + Vec3(0, 0, -of.height), false);
+    lid_on_ring(out, count(of.sides), first + static_cast<std::size_t>(of.sides),
+                middle + Vec3(0, 0, plate / 2), true);
   });
   return out;
 }
 
+/// In the face z = 0 of a plate.
 PolygonSoup wells(const Studs& of, double room, double plate) {
   PolygonSoup out;
   const double bottom = -of.height - plate;
@@ -257,11 +237,13 @@ PolygonSoup wells(const Studs& of, double room, double plate) {
   return out;
 }
 
+}  // namespace
+
 std::vector<FittedScene> joint_scenes() {
   std::vector<FittedScene> out;
   const auto add_ball = [&](const std::string& name, double radius, double room, int sides,
                             int rings, int socket, double open, const FittedPath& path) {
-    out.push_back({name, ball(radius, sides, rings),
+    out.push_back({name, sphere(radius, rings + 1, sides),
                    ball_socket(radius + room, socket, socket / 3, open, 1.3 * radius), path});
   };
   add_ball("ball, 1 %", 10 * milli, 0.1 * milli, 34, 32, 42, -0.5 * milli,
@@ -285,6 +267,10 @@ std::vector<FittedScene> joint_scenes() {
                         1, 1.2, 51));
   out.push_back(screwed("nut, coarse, jammed", {6 * milli, 8 * milli, 4 * milli, 16, 8},
                         0.1 * milli, 2, 1, 2, 52));
+  out.push_back(screwed("nut, fine, jammed", {3 * milli, 3.8 * milli, 1 * milli, 32, 6},
+                        0.05 * milli, 2, 1, 1.5, 54));
+  out.push_back(screwed("nut, steep, jammed", {7 * milli, 8.5 * milli, 5 * milli, 20, 10},
+                        0.12 * milli, 2, 1, 1, 55));
   out.push_back(screwed("nut, loose", {5 * milli, 6.2 * milli, 2.5 * milli, 40, 10}, 0.15 * milli,
                         2, 1, 0, 53));
   const auto add_sheet = [&](const std::string& name, double thickness, double room, int cuts,

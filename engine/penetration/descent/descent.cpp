@@ -192,6 +192,12 @@ Sweep Descent::sweep_to(const Chart& chart, const Vec6& y, const Vec6& target,
   return rows_.sweep_along(Motion(chart, y, target), 0.5 * margin(chart, y.norm()), effort);
 }
 
+Sweep Descent::short_sweep_to(const Chart& chart, const Vec6& y, const Vec6& target,
+                              Effort& effort) noexcept {
+  return effort.at_most(descent_tuning.most_work_of_sweep,
+                        [&](Effort& part) { return sweep_to(chart, y, target, part); });
+}
+
 std::optional<Vec6> Descent::turned_by_rows(const Chart& chart, const Vec6& y) noexcept {
   if (!rows_.reuse_rows(chart, y)) return std::nullopt;
   // Slightly above the contacts, since they bend into the path.
@@ -211,7 +217,7 @@ void Descent::approach_contact(const Chart& chart, double margin, Effort& effort
   Sweep swept;
   for (int left = pieces; left > 0 && !swept.hit; --left) {
     const Vec6 next = left > 1 ? Vec6(near - piece) : Vec6::Zero();
-    swept = sweep_to(chart, near, next, effort);
+    swept = short_sweep_to(chart, near, next, effort);
     near = swept.hit ? Vec6(near + swept.free_until * (next - near)) : next;
   }
   out.move_to(near);
@@ -354,9 +360,7 @@ class Descent::Run {
     }
     const Vec6 step = pace_.damped(wanted);
     const Vec6 target = y_ + step;
-    const Sweep swept = effort_.at_most(descent_tuning.most_work_of_sweep, [&](Effort& part) {
-      return descent_.sweep_to(chart_, y_, target, part);
-    });
+    const Sweep swept = descent_.short_sweep_to(chart_, y_, target, effort_);
     learn_longest_path(swept, target);
     cut_short_ += swept.given_up && !effort_.is_spent();
     out_.fallen += fallen(y_, swept.free_until * step, goal_.held_slope);

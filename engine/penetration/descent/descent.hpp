@@ -102,8 +102,11 @@ class Descent {
   /// require.
   Vec6 next_step(const Chart& chart, const Vec6& y, const LeastDistance& nearest, double margin,
                  double rise, const Pace& pace) noexcept;
+  /// As sweep_to(), but given up after DescentTuning::most_work_of_sweep.
+  Sweep short_sweep_to(const Chart& chart, const Vec6& y, const Vec6& target,
+                       Effort& effort) noexcept;
   /// Moves a probe that stopped away from any contact straight towards the device pose, up to the
-  /// first contact. So the returned pose touches.
+  /// first contact. So the returned pose touches, unless a sweep there takes too much work.
   void approach_contact(const Chart& chart, double margin, Effort& effort, Outcome& out) noexcept;
   void report(Outcome& out, const Vec6& y, const LeastDistance& nearest) const noexcept;
 

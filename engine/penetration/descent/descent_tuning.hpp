@@ -50,10 +50,10 @@ struct DescentTuning {
   double longest_growth = 1.5;      ///< factor from step to step
   /// Units of Effort, some 3 ms: a sweep that takes more is given up, and the next path is shorter.
   /// Where parts fit all round, its work grows with about the cube of its length, so that some
-  /// short paths take far less than a long one. (The longest ticks of three nuts that jam on their
-  /// bolts, all falls by half a turn, in ms: 453, 819 and 2530 without a limit; 179, 59 and 270
-  /// with 300 000; 110, 44 and 201 with 100 000, but two more ticks of one nut do not converge. On
-  /// the other scenes with which 300 000 was tried, it acts on crumpled-soup alone.)
+  /// short paths take far less than a long one. (Chosen on three nuts that jam on their bolts,
+  /// among 50, 100 and 300 thousand: less makes the longest ticks shorter by a quarter to a half,
+  /// and more ticks do not converge. On two other nuts the longest tick, a fall by half a turn,
+  /// went from 1323 and 2378 ms without a limit to 118 and 101.)
   std::int64_t most_work_of_sweep = 300'000;
   /// Factor on the length of a path whose sweep used up the effort: the next path is no longer.
   double longest_after_giving_up = 0.25;

@@ -43,9 +43,10 @@ void expect_optima(const std::vector<test::FittedScene>& scenes, int ticks, int 
       if (all[i].status != Status::penetrating) continue;
       // Half a turn from the device, either way round is as short: a tick may stop there, and says
       // that it has not converged.
-      if (all[i].device.q.angularDistance(all[i].separated.q) > 3.1) continue;
-      ++contact;
-      converged += all[i].converged;
+      if (all[i].device.q.angularDistance(all[i].separated.q) < 3.1) {
+        ++contact;
+        converged += all[i].converged;
+      }
       if (!all[i].converged || i % static_cast<std::size_t>(every) != 0 ||
           all[i].depth < 1e-3 * probe->mass.radius)
         continue;
