@@ -51,8 +51,8 @@ const char* json_name_of(DeviceKind kind) {
 std::string library_text(const VendorLibraryListing& library) {
   const std::string head = library.name + " (" + library.maker + "): ";
   if (!library.usable) return head + printable(library.reason) + '\n';
-  const std::string version = library.version.empty() ? "of no told version" : library.version;
-  return head + printable(version + ", " + library.path) + '\n';
+  const std::string version = library.version.empty() ? "" : library.version + ", ";
+  return head + printable(version + library.path) + '\n';
 }
 
 std::string devices_text(const std::vector<DeviceListing>& devices,
@@ -65,7 +65,7 @@ std::string devices_text(const std::vector<DeviceListing>& devices,
                          : "  does not open: " + printable(device.reason) + '\n';
     if (!device.note.empty()) text += "  note: " + printable(device.note) + '\n';
   }
-  text += "\nmakers' libraries for force arms\n";
+  text += "\nmakers' libraries and services for force arms\n";
   for (const VendorLibraryListing& library : libraries) text += "  " + library_text(library);
   return text;
 }

@@ -12,7 +12,7 @@
 namespace sonde {
 namespace {
 
-constexpr std::string_view dhd_path = "libdhd/", hd_path = "libHD/";
+constexpr std::string_view dhd_path = "libdhd/", hd_path = "libHD/", haply_path = "haply/";
 
 /// State that the libraries keep for the whole program; opening and listing exclude each other.
 struct Arms {
@@ -21,6 +21,7 @@ struct Arms {
   std::map<std::string, std::shared_ptr<const HdLibrary>> hd;
   int counted = 0;  // number of Force Dimension's arms at the last look
   std::vector<HidInfo> known;
+  std::vector<HidInfo> haply;  // at the last look
 };
 Arms& arms() {
   static Arms all;
@@ -54,19 +55,6 @@ int index_of(const std::string& path) {
   const char* const end = path.data() + path.size();
   const auto [rest, error] = std::from_chars(begin, end, index);
   return error == std::errc() && rest == end ? index : -1;
-}
-
-std::variant<std::unique_ptr<DhdArm>, std::unique_ptr<HdArm>> opened(const std::string& path) {
-  Arms& all = arms();
-  const std::lock_guard lock(all.mutex);
-  if (path.starts_with(hd_path))
-    return std::make_unique<HdArm>(needed(path, all.hd), path.substr(hd_path.size()));
-  return std::make_unique<DhdArm>(needed(path, all.dhd), index_of(path));
-}
-
-const ArmIdentity& identity_of(
-    const std::variant<std::unique_ptr<DhdArm>, std::unique_ptr<HdArm>>& port) {
-  return std::visit([](const auto& arm) -> const ArmIdentity& { return arm->identity(); }, port);
 }
 
 force_protocol::Limits limits_of(const ArmIdentity& identity) {
@@ -124,6 +112,29 @@ void look_for_hd(Arms& all, std::vector<HidInfo>& found) {
   }
 }
 
+void look_for_haply(Arms& all, std::vector<HidInfo>& found) {
+  // The service is not disturbed while it serves the hand.
+  if (HaplyArm::open() == 0) {
+    all.haply.clear();
+    for (const haply::Arm& arm : find_haply_service().arms)
+      all.haply.push_back({.path = std::string(haply_path) + arm.id,
+                           .maker = "Haply",
+                           .name = "Haply " + arm.model.value_or("inverse3"),
+                           .serial = "haply-" + arm.id,
+                           .usages = {}});
+  }
+  found.insert(found.end(), all.haply.begin(), all.haply.end());
+}
+
+VendorLibraryListing listing_of_haply() {
+  const HaplyService service = find_haply_service();
+  return {.name = "Inverse Service",
+          .maker = "Haply",
+          .path = service.address,
+          .usable = service.answers,
+          .reason = service.reason};
+}
+
 template <class Library>
 VendorLibraryListing listing_of(std::map<std::string, std::shared_ptr<const Library>>& known) {
   const VendorLibraryName& name = Library::name();
@@ -144,8 +155,20 @@ VendorLibraryListing listing_of(std::map<std::string, std::shared_ptr<const Libr
 
 }  // namespace
 
+ForceArm::Port ForceArm::opened(const std::string& path) {
+  Arms& all = arms();
+  const std::lock_guard lock(all.mutex);
+  if (path.starts_with(haply_path))
+    return std::make_unique<HaplyArm>(path.substr(haply_path.size()));
+  if (path.starts_with(hd_path))
+    return std::make_unique<HdArm>(needed(path, all.hd), path.substr(hd_path.size()));
+  return std::make_unique<DhdArm>(needed(path, all.dhd), index_of(path));
+}
+
 ForceArm::ForceArm(const std::string& path)
-    : port_(opened(path)), identity_(identity_of(port_)), check_(limits_of(identity_)) {}
+    : port_(opened(path)),
+      identity_(std::visit([](const auto& arm) { return arm->identity(); }, port_)),
+      check_(limits_of(identity_)) {}
 
 std::optional<Heard> ForceArm::hear(DeviceSample& sample) {
   const ArmReading reading = std::visit([](auto& arm) { return arm->read(); }, port_);
@@ -173,16 +196,21 @@ std::optional<Heard> ForceArm::hear(DeviceSample& sample) {
   return heard;
 }
 
+void ForceArm::pace() const {
+  // The others wait in read().
+  if (const auto* arm = std::get_if<std::unique_ptr<HaplyArm>>(&port_)) (*arm)->pace();
+}
+
 bool ForceArm::write(const DeviceWrench& wrench, bool on) {
   const bool taken = std::visit([&](auto& arm) { return arm->write(wrench, on); }, port_);
-  // libHD only queues it: its frames report when it is output.
+  // The others only queue it, and report when it is output.
   if (taken && on && std::holds_alternative<std::unique_ptr<DhdArm>>(port_))
     latency_.answered(wrench.sampled, DeviceClock::now());
   return taken;
 }
 
 bool is_arm_path(const std::string& path) {
-  return path.starts_with(dhd_path) || path.starts_with(hd_path);
+  return path.starts_with(dhd_path) || path.starts_with(hd_path) || path.starts_with(haply_path);
 }
 
 std::vector<HidInfo> list_arms() {
@@ -190,7 +218,7 @@ std::vector<HidInfo> list_arms() {
   const std::lock_guard lock(all.mutex);
   std::vector<HidInfo> found;
   // list_vendor_libraries() names a library that cannot be used.
-  for (const auto look : {look_for_dhd, look_for_hd}) try {
+  for (const auto look : {look_for_dhd, look_for_hd, look_for_haply}) try {
       look(all, found);
     } catch (const InputError&) {
       continue;
@@ -201,7 +229,7 @@ std::vector<HidInfo> list_arms() {
 std::vector<VendorLibraryListing> list_vendor_libraries() {
   Arms& all = arms();
   const std::lock_guard lock(all.mutex);
-  return {listing_of(all.dhd), listing_of(all.hd)};
+  return {listing_of(all.dhd), listing_of(all.hd), listing_of_haply()};
 }
 
 }  // namespace sonde

@@ -294,10 +294,11 @@ void InputDevice::State::take(Connection& connection, std::span<const std::uint8
 
 /// Sends the wrench; returns false if the device does not accept it.
 bool InputDevice::State::answer(Connection& connection) {
-  wrenches.update();
-  const WantedWrench& newest = wrenches.front();
   auto* force = std::get_if<ForceDevice>(&connection.driver);
   auto* arm = std::get_if<ForceArm>(&connection.driver);
+  if (arm) arm->pace();
+  wrenches.update();
+  const WantedWrench& newest = wrenches.front();
   const bool fresh = DeviceClock::now() - newest.time < wrench_lasts;
   const bool on = fresh && sample.state == DeviceState::ready;
   if (arm && !arm->write(newest.wrench, on)) return false;

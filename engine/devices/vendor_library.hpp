@@ -20,10 +20,10 @@ struct VendorLibraryName {
   const char* source;                  ///< where to get it
 };
 
-/// The state of a library, for `sonde devices`.
+/// The state of a library, or of a service on this machine, for `sonde devices`.
 struct VendorLibraryListing {
   std::string name, maker;
-  std::string path{};     ///< empty if there is none
+  std::string path{};     ///< or address; empty if there is none
   std::string version{};  ///< as it reports it; empty if it reports none
   bool usable = false;
   std::string reason{};  ///< why it is not usable, and how to get it

@@ -3,6 +3,7 @@
 
 #include "tests/app/app_test.hpp"
 #include "tests/engine/devices/descriptors.hpp"
+#include "tests/engine/devices/haply_standin.hpp"
 
 namespace sonde::test {
 namespace {
@@ -96,7 +97,7 @@ TEST_F(Devices, a_makers_library_that_is_missing_says_how_to_get_it) {
   EXPECT_THAT(text.out, HasSubstr("libdhd (Force Dimension): not installed; install libdhd from"));
   EXPECT_THAT(text.out, HasSubstr("SONDE_LIBHD"));
   const json all = json::parse(devices(folder, "", "", "--json").out).at("libraries");
-  ASSERT_EQ(all.size(), 2U);
+  ASSERT_EQ(all.size(), 3U);
   EXPECT_EQ(all[0].at("name"), "libdhd");
   EXPECT_EQ(all[0].at("usable"), false);
   EXPECT_EQ(all[0].at("version"), nullptr);
@@ -120,6 +121,21 @@ TEST_F(Devices, an_arm_is_listed_with_its_librarys_version) {
   EXPECT_EQ(bad.exit_code, 0);
   EXPECT_THAT(bad.out,
               HasSubstr("\\x1b[31mrelative.so: the environment variable SONDE_LIBDHD must hold"));
+}
+
+TEST_F(Devices, an_arm_of_haply_is_listed_with_its_service) {
+  const std::string missing = devices(folder, "", "", "").out;
+  EXPECT_THAT(missing, HasSubstr("Inverse Service (Haply): ws://127.0.0.1:"));
+  EXPECT_THAT(missing, HasSubstr("efused"));
+  const HaplyStandin standin;
+  const Outcome text = devices(folder, "", "", "");
+  EXPECT_THAT(text.out, HasSubstr("haply/049D  0000:0000  Haply Inverse3 (force arm)\n  opens: "
+                                  "position, force to 10 N, no torque, 1000 Hz, 3 buttons\n"));
+  const std::string address = "ws://127.0.0.1:" + std::to_string(standin.port());
+  EXPECT_THAT(text.out, HasSubstr("Inverse Service (Haply): " + address + "\n"));
+  const json all = json::parse(devices(folder, "", "", "--json").out);
+  EXPECT_EQ(all.at("devices").at(0).at("serial"), "haply-049D");
+  EXPECT_EQ(all.at("libraries").at(2).at("path"), address);
 }
 
 /// The stand-in with the head of a library for another processor: 32-bit ARM (ELF: bytes 4 and 18).
