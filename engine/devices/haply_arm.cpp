@@ -141,7 +141,9 @@ HaplyArm::~HaplyArm() {
 
 bool HaplyArm::write(const DeviceWrench& wrench, bool on) {
   wanted_ = on ? limited(wrench, identity_.capabilities) : DeviceWrench{};
-  return awaited_ || send(wanted_);
+  if (awaited_) return true;
+  pace();
+  return send(wanted_);
 }
 
 void HaplyArm::pace() const {
@@ -157,7 +159,7 @@ bool HaplyArm::send(const DeviceWrench& wrench) {
     return false;
   answers_ = wrench.sampled;
   sent_ = DeviceClock::now();
-  next_ = std::max(next_ + exchange_every, sent_);
+  next_ = std::clamp(next_ + exchange_every, sent_, sent_ + exchange_every);
   awaited_ = true;
   return true;
 }
