@@ -24,6 +24,7 @@ constexpr double sample_time = 1e-3;  // s, of the simulated pulses: what driver
 struct IdentifyOptions {
   std::string recording, simulated, connected, device;
   bool hands_off = false;
+  bool all_rows = false;
   std::string profile;  ///< to write; empty: none
   std::string record;   ///< to write; empty: none
   PulseLimits limits;
@@ -47,6 +48,8 @@ void check(const IdentifyOptions& options) {
                      " N·m: let go of it, clear 5 cm around it, and give --hands-off");
   if (options.connected.empty() && options.hands_off)
     throw UsageError("--hands-off needs --connected");
+  if (options.all_rows && options.recording.empty())
+    throw UsageError("--all-rows is of a RECORDING");
   if (same_file(options.record, options.profile))
     throw UsageError("--record and --out name the same file");
   std::vector<std::filesystem::path> inputs;
@@ -80,7 +83,8 @@ std::string subject_of(const IdentifyOptions& options) {
 /// What cannot be told from a recording is an error of that file.
 Identification identified(const IdentifyOptions& options, const Response& response) {
   try {
-    return identify(response);
+    const bool all = !options.connected.empty() || options.all_rows;
+    return identify(response, all ? Rows::all_logged : Rows::maybe_missing);
   } catch (const InputError& error) {
     throw InputError::in(subject_of(options), error.what());
   }
@@ -136,6 +140,9 @@ Command add_identify_command(CLI::App& program) {
                      "sonde devices lists it");
   parser->add_flag("--hands-off", options->hands_off,
                    "consent to that: nobody holds the handle, and nothing is within 5 cm of it");
+  parser->add_flag("--all-rows", options->all_rows,
+                   "no row is missing in the recording, as --record writes it of a connected "
+                   "device: a row that comes late is a late tick, and the command before it held");
   parser->add_option("--out", options->profile,
                      "profile to write, NAME.json, whole or not at all; without it none");
   parser->add_option("--record", options->record,

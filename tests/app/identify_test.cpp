@@ -127,6 +127,15 @@ TEST_F(Identify, a_recording_says_the_same_as_the_device_that_it_is_of) {
                                    "rotational_resolution"));
 }
 
+TEST_F(Identify, all_rows_is_said_of_a_recording_alone) {
+  const Outcome refused = sonde("identify --simulated touch --all-rows");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--all-rows is of a RECORDING"));
+  expect_done("identify --simulated touch --record answer.csv");
+  const Outcome plain = expect_done("identify answer.csv --device touch");
+  EXPECT_EQ(expect_done("identify answer.csv --device touch --all-rows").out, plain.out);
+}
+
 TEST_F(Identify, tune_takes_the_profile_and_varies_nothing_that_was_measured) {
   expect_done("identify --simulated sigma.7 --out mine.json");
   expect_done(

@@ -131,7 +131,7 @@ void MeasureControl::compute(const Response& response) {
   const auto found = std::make_shared<Identification>();
   found_ = found;
   job_.start(
-      {}, [found, response](const Progress&) { *found = identify(response); },
+      {}, [found, response](const Progress&) { *found = identify(response, Rows::all_logged); },
       [this](const std::exception_ptr& error) { take(error); });
 }
 

@@ -38,9 +38,16 @@ FreeHandle handle_of(const VectorXd& p, const Scale& scale) {
           .offset = p[offset] * scale[offset]};
 }
 
-VectorXd within(const std::vector<double>& of, const PulseWindow& w) {
-  const auto size = static_cast<Index>(w.end - w.begin);
-  return Eigen::Map<const VectorXd>(of.data() + w.begin, size);
+Index size_of(const AxisResponse& r, const PulseWindow& w) {
+  return static_cast<Index>(measured_in(r, w));
+}
+/// Of the samples that were measured.
+VectorXd within(const AxisResponse& r, const std::vector<double>& of, const PulseWindow& w) {
+  VectorXd out(size_of(r, w));
+  Index at = 0;
+  for (std::size_t k = w.begin; k < w.end; ++k)
+    if (r.measured(k)) out[at++] = of[k];
+  return out;
 }
 /// The model's motion under the recorded commands, in parts that each begin at rest.
 std::vector<double> modelled_motion(const FreeHandle& handle, const AxisResponse& r,
@@ -81,7 +88,7 @@ struct Residuals {
   int inputs() const { return static_cast<int>(parameter_count + std::ssize(changes)); }
   int values() const {
     std::size_t n = changes.size();
-    for (const PulseWindow& w : *windows) n += w.end - w.begin;
+    for (const PulseWindow& w : *windows) n += measured_in(*response, w);
     return static_cast<int>(n);
   }
   std::vector<double> modelled_by(const VectorXd& p) const {
@@ -97,7 +104,8 @@ struct Residuals {
     const std::vector<double> modelled = modelled_by(p);
     Index at = 0;
     for (const PulseWindow& w : *windows) {
-      const VectorXd left = without_mean(within(response->positions, w) - within(modelled, w));
+      const VectorXd left =
+          without_mean(within(*response, response->positions, w) - within(*response, modelled, w));
       out.segment(at, left.size()) = left / unit;
       at += left.size();
     }
@@ -114,8 +122,8 @@ struct Residuals {
 double motion_rms(const AxisResponse& response, const std::vector<PulseWindow>& windows) {
   double squares = 0, samples = 0;
   for (const PulseWindow& w : windows) {
-    squares += without_mean(within(response.positions, w)).squaredNorm();
-    samples += static_cast<double>(w.end - w.begin);
+    squares += without_mean(within(response, response.positions, w)).squaredNorm();
+    samples += static_cast<double>(measured_in(response, w));
   }
   return std::sqrt(squares / samples);
 }
@@ -194,13 +202,13 @@ std::optional<VectorXd> solution_of(const MatrixXd& information, const VectorXd&
 }
 
 /// The covariance of the parameters, from the solutions that leave out one pulse each.
-MatrixXd covariance(const MatrixXd& J, const VectorXd& left,
+MatrixXd covariance(const MatrixXd& J, const VectorXd& left, const AxisResponse& response,
                     const std::vector<PulseWindow>& windows) {
   const MatrixXd information = J.transpose() * J;
   MatrixXd spread = MatrixXd::Zero(J.cols(), J.cols());
   Index at = 0;
   for (const PulseWindow& w : windows) {
-    const auto size = static_cast<Index>(w.end - w.begin);
+    const Index size = size_of(response, w);
     const MatrixXd own = J.middleRows(at, size);
     const auto change =
         solution_of(information - own.transpose() * own, own.transpose() * left.segment(at, size));
@@ -226,7 +234,7 @@ MatrixXd covariance_of_encoder(const MatrixXd& J, const Residuals& residuals, co
     VectorXd error = VectorXd::Zero(J.rows());
     Index at = 0;
     for (const PulseWindow& w : *residuals.windows) {
-      const Eigen::ArrayXd steps = within(motion, w).array() / step + shift;
+      const Eigen::ArrayXd steps = within(*residuals.response, motion, w).array() / step + shift;
       const VectorXd rounded = without_mean((steps.round() - steps).matrix());
       error.segment(at, rounded.size()) = rounded * (step / residuals.unit);
       at += rounded.size();
@@ -243,7 +251,7 @@ double excess_of(const Residuals& residuals, const VectorXd& left, double encode
   double squares = 0, bends = 0, samples = 0;
   Index at = 0;
   for (const PulseWindow& w : *residuals.windows) {
-    const auto size = static_cast<Index>(w.end - w.begin);
+    const Index size = size_of(*residuals.response, w);
     squares += left.segment(at, size).squaredNorm();
     for (Index i = at + 1; i + 1 < at + size; ++i) {
       const double bend = left[i - 1] - 2 * left[i] + left[i + 1];
@@ -282,7 +290,7 @@ VectorXd spread_of_parts(const MatrixXd& J, const VectorXd& left, const Residual
     VectorXd pull = VectorXd::Zero(J.cols());
     Index at = 0;
     for (const PulseWindow& w : *residuals.windows) {
-      const auto size = static_cast<Index>(w.end - w.begin);
+      const Index size = size_of(*residuals.response, w);
       const bool in = part < 2 ? (w.amplitude >= middle) == (part == 0)
                                : (commands[w.first] > 0) == (part == 2);
       if (in) {
@@ -362,7 +370,7 @@ HandleFit fit_handle(const AxisResponse& response, const std::vector<PulseWindow
   if (widened) apart = spread_of_parts(J, left, residuals);
   if (between) apart.head(as_logged.size()) = (p.head(as_logged.size()) - as_logged).cwiseAbs();
   const MatrixXd C =
-      covariance(J, left, windows) + covariance_of_encoder(J, residuals, p, encoder_step);
+      covariance(J, left, response, windows) + covariance_of_encoder(J, residuals, p, encoder_step);
   const double t = student_t_99(static_cast<double>(windows.size() - 1));
   const auto estimate = [&](Parameter i) {
     const double unit = scale[static_cast<std::size_t>(i)];

@@ -24,6 +24,8 @@ constexpr double least_ratio = 1.5;  // of amplitudes
 constexpr double most_misfit = 0.1;  // of the motion's rms
 constexpr double most_half = 0.25;   // of the inertia's interval, as a share
 constexpr double longest_gap = 2.5;  // sample times
+// s: the loop trusts no older sample of a device, and ends the pulses
+constexpr double longest_late_tick = 0.02;
 
 using Windows = std::vector<PulseWindow>;
 
@@ -74,43 +76,62 @@ struct WithoutGaps {
 
 double change(const AxisResponse& r, std::size_t k) { return r.positions[k] - r.positions[k - 1]; }
 
-/// A logger without a new pose repeats the last one: the position is constant for one sample, while
-/// the steps before and after go the same way and are far larger than a step of the encoder, and
-/// than the slow end of a motion.
-bool is_stale(const AxisResponse& r, const PulseWindow& w, std::size_t k, double encoder) {
-  if (k < w.begin + 2 || k + 1 >= w.end || change(r, k) != 0) return false;
+/// A logger without a new pose repeats the last one: the position is constant for some samples,
+/// while the steps before and after go the same way and are far larger than a step of the encoder,
+/// and than the slow end of a motion. The number of samples from k on that repeat the one before.
+std::size_t repeated(const AxisResponse& r, const PulseWindow& w, std::size_t k, double encoder) {
+  if (k < w.begin + 2 || change(r, k) != 0 || change(r, k - 1) == 0) return 0;
+  std::size_t end = k + 1;
+  while (end < w.end && change(r, end) == 0) ++end;
+  if (end >= w.end) return 0;
   double most = 0;
   for (std::size_t i = w.begin + 1; i < w.end; ++i) most = std::max(most, std::abs(change(r, i)));
-  const double before = change(r, k - 1), after = change(r, k + 1);
-  return before * after > 0 &&
-         std::min(std::abs(before), std::abs(after)) > std::max(3 * encoder, 0.1 * most);
+  const double before = change(r, k - 1), after = change(r, end);
+  const bool moves = before * after > 0 && std::min(std::abs(before), std::abs(after)) >
+                                               std::max(3 * encoder, 0.1 * most);
+  return moves ? end - k : 0;
 }
+
+/// What makes a sample unfit for use.
+struct Lateness {
+  double gap;          ///< s: the command is not known over a longer one
+  double encoder = 0;  ///< m | rad
+  bool repeats_count = true;
+};
 
 /// The first sample of a pulse, from the one before it to the one after, that comes too late, or
 /// that only repeats the previous one. If there is none: the size of the recording.
-std::size_t late_sample(const AxisResponse& r, const PulseWindow& w, double step, double encoder) {
-  for (std::size_t k = std::max<std::size_t>(w.begin, 1); k <= w.end && k < r.times.size(); ++k)
-    if (r.times[k] - r.times[k - 1] > longest_gap * step || is_stale(r, w, k, encoder)) return k;
+std::size_t late_sample(const AxisResponse& r, const PulseWindow& w, const Lateness& late) {
+  for (std::size_t k = std::max<std::size_t>(w.begin, 1); k <= w.end && k < r.times.size(); ++k) {
+    if (r.times[k] - r.times[k - 1] > late.gap) return k;
+    if (late.repeats_count && repeated(r, w, k, late.encoder) == 1) return k;
+  }
   return r.times.size();
 }
 
-std::string what_is_missing(const AxisResponse& r, std::size_t late, double step) {
+std::vector<bool> repeats_of(const AxisResponse& r, const Windows& windows, double encoder) {
+  std::vector<bool> out(r.times.size(), false);
+  for (const PulseWindow& w : windows)
+    for (std::size_t k = w.begin; k < w.end; ++k)
+      std::fill_n(out.begin() + static_cast<std::ptrdiff_t>(k), repeated(r, w, k, encoder), true);
+  return out;
+}
+
+std::string what_is_missing(const AxisResponse& r, std::size_t late, double longest) {
   const double gap = r.times[late] - r.times[late - 1];
   const std::string at = "t = " + number_text(r.times[late], 9) + " s";
-  return gap > longest_gap * step
-             ? "no sample for " + number_text(1e3 * gap, 3) + " ms before " + at
-             : "the sample at " + at + " repeats the one before, while the handle moves";
+  return gap > longest ? "no sample for " + number_text(1e3 * gap, 3) + " ms before " + at
+                       : "the sample at " + at + " repeats the one before, while the handle moves";
 }
 
 /// If a sample is missing, the commands meanwhile are unknown, so that pulse is not used. (A longer
 /// gap cuts a pulse in two, with the gap between them.)
-WithoutGaps without_gaps(const AxisResponse& r, const Windows& windows, double step,
-                         double encoder) {
+WithoutGaps without_gaps(const AxisResponse& r, const Windows& windows, const Lateness& lateness) {
   WithoutGaps out;
   std::size_t last = r.times.size();
   bool after_gap = false;
   for (const PulseWindow& w : windows) {
-    const std::size_t late = late_sample(r, w, step, encoder);
+    const std::size_t late = late_sample(r, w, lateness);
     if (late == r.times.size()) {
       if (after_gap) out.at_rest.push_back(w.begin);
       out.windows.push_back(w);
@@ -121,8 +142,8 @@ WithoutGaps without_gaps(const AxisResponse& r, const Windows& windows, double s
     after_gap = late != r.times.size();
   }
   if (out.gaps > 0 && out.windows.size() < least_pulses)
-    throw std::invalid_argument(what_is_missing(r, last, step) + ", and samples are missing in " +
-                                std::to_string(out.gaps) +
+    throw std::invalid_argument(what_is_missing(r, last, lateness.gap) +
+                                ", and samples are missing in " + std::to_string(out.gaps) +
                                 " pulses: " + std::to_string(out.windows.size()) +
                                 " are whole; it takes " + std::to_string(least_pulses));
   return out;
@@ -193,12 +214,15 @@ Estimate largest_step(const AxisResponse& r, const Windows& windows, const Handl
 }
 
 /// Throws std::invalid_argument, with the reason, if the pulses are not sufficient.
-IdentifiedAxis identified(AxisResponse r, const Windows& all, std::size_t axis,
-                          double sample_time) {
+IdentifiedAxis identified(AxisResponse r, const Windows& all, std::size_t axis, double sample_time,
+                          Rows rows) {
   const std::optional<Estimate> step = encoder_step(r.positions);
   const double encoder = step ? step->value : 0;
-  const auto [whole, at_rest, gaps] = without_gaps(r, all, sample_time, encoder);
+  const bool known = rows == Rows::all_logged;
+  const auto [whole, at_rest, gaps] = without_gaps(
+      r, all, {known ? longest_late_tick : longest_gap * sample_time, encoder, !known});
   r.at_rest = at_rest;
+  if (known) r.repeats = repeats_of(r, whole, encoder);
   check_pulses(r, whole);
   const double grain = std::max(encoder, grain_of_noise(r, whole));
   const Windows windows = telling(r, whole, grain, axis);
@@ -250,7 +274,7 @@ void expect_any(const Identification& found) {
 
 }  // namespace
 
-Identification identify(const Response& response) {
+Identification identify(const Response& response, Rows rows) {
   if (response.empty()) throw InputError("the recording has no samples");
   Identification out;
   out.sample_time = median_step(response);
@@ -259,7 +283,7 @@ Identification identify(const Response& response) {
     const Windows windows = pulse_windows(r);
     if (windows.empty()) continue;
     try {
-      out.axes.push_back(identified(r, windows, axis, out.sample_time));
+      out.axes.push_back(identified(r, windows, axis, out.sample_time, rows));
     } catch (const std::invalid_argument& reason) {
       out.refused.push_back({axis, reason.what()});
     }

@@ -45,15 +45,22 @@ struct Identification {
   double sample_time = 0;  ///< s, the median
 };
 
+/// What is known of the rows of a recording.
+enum class Rows {
+  maybe_missing,  ///< a row that comes late may follow others that were not logged
+  all_logged,     ///< a row that comes late is a late tick; its device held the command before it
+};
+
 /// Delay, mass, damping, Coulomb friction and encoder step from a handle's response to pulses, as
 /// plan_pulses() makes them. Limits of the accuracy: for all values, the steps of the encoder and
 /// the number of pulses; the delay is resolved to a share of the sample time only as far as the
 /// recorded times are true; friction is one number, the same at rest and in motion. An axis is
 /// refused, with a reason, if its pulses are not sufficient: no movement, too few or too short
 /// pulses, a single amplitude, noise, another axis at the same time, gaps in time in all but a few,
-/// a hand on the handle or a stop in its way. Throws InputError, with the reasons, if no axis
-/// remains.
-Identification identify(const Response& response);
+/// a hand on the handle or a stop in its way. If all rows were logged, a late one is no gap, up to
+/// 20 ms, and a position that is told twice is left out, not its pulse. Throws InputError, with the
+/// reasons, if no axis remains.
+Identification identify(const Response& response, Rows rows = Rows::maybe_missing);
 
 /// "force along x", "torque about z".
 std::string name_of_axis(std::size_t axis);

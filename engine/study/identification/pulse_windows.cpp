@@ -74,6 +74,12 @@ std::vector<PulseWindow> pulse_windows(const AxisResponse& response) {
   return out;
 }
 
+std::size_t measured_in(const AxisResponse& response, const PulseWindow& window) {
+  std::size_t count = 0;
+  for (std::size_t k = window.begin; k < window.end; ++k) count += response.measured(k) ? 1 : 0;
+  return count;
+}
+
 double excursion(const std::vector<double>& positions, const PulseWindow& window) {
   double most = 0;
   for (std::size_t i = window.begin; i < window.end; ++i)

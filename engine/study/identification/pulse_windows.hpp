@@ -25,11 +25,18 @@ struct AxisResponse {
   /// Samples, ascending, besides the first, at which the handle is assumed to be at rest: after
   /// gaps in which the commands are unknown.
   std::vector<std::size_t> at_rest;
+  /// Samples whose position only repeats the one before, though the handle moves: not measured.
+  /// Empty: there are none.
+  std::vector<bool> repeats = {};
+  bool measured(std::size_t sample) const { return repeats.empty() || !repeats[sample]; }
 };
 AxisResponse axis_response(const Response& response, std::size_t axis);
 
 /// The pulses of one axis, in their order: commands that are not zero, between rests.
 std::vector<PulseWindow> pulse_windows(const AxisResponse& response);
+
+/// Number of samples of the window that were measured.
+std::size_t measured_in(const AxisResponse& response, const PulseWindow& window);
 
 /// The largest distance from the start of the pulse, in the unit of the positions.
 double excursion(const std::vector<double>& positions, const PulseWindow& window);

@@ -12,6 +12,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "engine/platform/real_time.hpp"
+
 namespace sonde::test {
 namespace {
 
@@ -118,6 +120,7 @@ struct HaplyStandin::State {
     listed(web.next_layer(), [&] { talk(web); });
   }
   void talk(WebSocket& web) {
+    const Promptness prompt(true);
     web.accept();
     web.text(true);
     web.write(asio::buffer(answer(true)));

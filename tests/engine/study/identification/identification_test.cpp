@@ -150,6 +150,72 @@ TEST(Identification, a_log_with_jitter_holds_the_truth) {
   for (const auto& [name, count] : inside) EXPECT_GE(count, 9) << name;
 }
 
+/// What a loop logs of a handle where one tick in fifty comes 2.6 to 8 ms late: commands are held
+/// meanwhile, and one pose in fifty is told twice, or three times, because the device's thread was
+/// late too.
+Response of_late_ticks(const TrueHandle& truth, const PulsePlan& plan, std::uint64_t seed) {
+  constexpr double fine = 1e-4;  // s
+  const std::vector<Wrench> commands = commands_of(plan);
+  Random random(seed);
+  test::Integration handle(truth, fine, random.uniform(-0.5, 0.5));
+  std::vector<double> given;  // by steps of `fine`
+  const auto at = [&](double t) {
+    const double step = std::floor(t / fine + 1e-6);
+    return step < 0 ? 0.0 : given[std::min(static_cast<std::size_t>(step), given.size() - 1)];
+  };
+  Response out;
+  int repeats = 0;
+  for (const Wrench& command : commands) {
+    ResponseSample sample{
+        .t = fine * static_cast<double>(given.size()), .command = command, .X_BH = {}};
+    sample.X_BH.p.x() = handle.measured();
+    if (repeats == 0 && random.uniform(0, 1) < 0.02) repeats = random.uniform(0, 1) < 0.5 ? 1 : 2;
+    if (repeats > 0 && !out.empty()) {
+      --repeats;
+      sample.X_BH = out.back().X_BH;
+    }
+    out.push_back(sample);
+    const bool late = random.uniform(0, 1) < 0.02;
+    const int steps = late ? static_cast<int>(random.uniform(26, 80)) : 10;
+    for (int i = 0; i < steps; ++i) {
+      const double now = fine * static_cast<double>(given.size());
+      given.push_back(command.force.x());
+      handle.sample([&](double t) { return at(now + t - truth.delay); });
+    }
+  }
+  return out;
+}
+
+TEST(Identification, late_ticks_of_a_loop_are_no_gaps) {
+  const TrueHandle truth{0.1, 0.4, 0.1, 1e-3, 1e-5};
+  const PulsePlan plan = plan_along(0, device_of_mass(0.1));
+  std::map<std::string, int> inside;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Response response = of_late_ticks(truth, plan, seed);
+    EXPECT_THROW(identify(response), InputError) << "rows may be missing";
+    const Identification found = identify(response, Rows::all_logged);
+    ASSERT_EQ(found.axes.size(), 1u);
+    EXPECT_EQ(found.axes[0].pulses, plan.pulses.size());
+    EXPECT_EQ(found.axes[0].with_gaps, 0u);
+    for (const Figure& f : figures(truth, found.axes[0])) {
+      inside[f.name] += f.found.low <= f.truth && f.truth <= f.found.high ? 1 : 0;
+      EXPECT_NEAR(f.found.value, f.truth, 0.05 * std::max(f.truth, f.smallest)) << f.name;
+    }
+  }
+  for (const auto& [name, count] : inside) EXPECT_GE(count, 9) << name;
+}
+
+/// Longer than the loop trusts a device: what was commanded then is not known.
+TEST(Identification, a_gap_that_no_loop_makes_is_one_in_every_log) {
+  const TrueHandle truth{0.1, 0.4, 0.1, 1e-3, 1e-5};
+  const PulsePlan plan = plan_along(0, device_of_mass(0.1));
+  Response response = test::answer(truth, plan, 0);
+  const std::size_t inside = plan.rest + plan.pulses[0].part;
+  for (std::size_t k = inside; k < response.size(); ++k) response[k].t += 0.03;
+  const Identification found = identify(response, Rows::all_logged);
+  EXPECT_EQ(found.axes.at(0).with_gaps, 1u);
+}
+
 /// The model has no drag: at a fifth of what damps, its mass must lie in the interval all the same.
 TEST(Identification, a_handle_that_is_not_the_model_widens_its_intervals) {
   TrueHandle truth{0.1, 0.4, 0.1, 1e-3, 1e-5};
