@@ -15,6 +15,7 @@
 #include "engine/settings/settings.hpp"
 #include "ui/base/format.hpp"
 #include "ui/base/theme.hpp"
+#include "ui/panels/curves_dialog.hpp"
 #include "ui/panels/history_plot.hpp"
 #include "ui/panels/map_plot.hpp"
 #include "ui/panels/scrolled.hpp"
@@ -186,7 +187,19 @@ void StiffnessPanel::build_map(QVBoxLayout& layout) {
   box->addWidget(plot_);
   place_ = wrapped("map_place", map_box_);
   box->addWidget(place_);
+  of_device_ = button(QStringLiteral("The device alone…"), "device_curves",
+                      QStringLiteral("How stiff and damped its walls may be, what limits them, the "
+                                     "impedance that is rendered, and how hard a wall feels."));
+  connect(of_device_, &QPushButton::clicked, this, [this] { show_curves(); });
+  box->addWidget(of_device_);
   layout.addWidget(map_box_);
+}
+
+void StiffnessPanel::show_curves() {
+  if (!curves_) curves_ = new CurvesDialog(this);
+  curves_->show_curves(text(tuning_->results.device_id), device_curves(tuning_->results));
+  curves_->show();
+  curves_->raise();
 }
 
 void StiffnessPanel::build_study(QVBoxLayout& layout, const std::vector<std::string>& device_ids) {
@@ -214,6 +227,7 @@ void StiffnessPanel::show_tuning(const std::optional<Tuning>& tuning) {
   words_->setVisible(tuning_.has_value());
   const bool any = recommends();
   apply_->setVisible(any);
+  if (curves_ && curves_->isVisible()) tuning_ ? show_curves() : curves_->hide();
   if (any) {
     const Coupling gains = recommended_coupling(tuning_->results);
     // In a line of its own where it is long: the dock is to be no wider.

@@ -18,6 +18,7 @@ class QVBoxLayout;
 
 namespace sonde::ui {
 
+class CurvesDialog;
 class HistoryPlot;
 class MapPlot;
 class StudyBox;
@@ -65,6 +66,7 @@ class StiffnessPanel : public QDockWidget {
   void build_last_second(QVBoxLayout& layout);
   void choose_axes();
   void show_map();
+  void show_curves();
   void show_point();
   void show_doubt();
   void show_source();
@@ -83,7 +85,8 @@ class StiffnessPanel : public QDockWidget {
   QWidget* map_box_;
   MapPlot* plot_;
   QLabel *doubt_, *place_, *words_, *chatter_, *energy_, *rendered_;
-  QPushButton* apply_;
+  QPushButton *apply_, *of_device_;
+  CurvesDialog* curves_ = nullptr;  ///< made when it is first asked for
   std::array<QPushButton*, 2> sets_;
   HistoryPlot* chatter_plot_;
 };

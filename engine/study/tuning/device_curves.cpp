@@ -8,7 +8,6 @@
 #include <string>
 
 #include "engine/base/elementary.hpp"
-#include "engine/study/charts/svg_chart.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
 #include "engine/study/tuning/tuning.hpp"
 #include "engine/study/tuning/wall_hardness.hpp"
@@ -106,12 +105,7 @@ ChartSeries series_of(const char* name, const std::vector<Point>& all, double Po
   return out;
 }
 
-struct Files {
-  std::string csv;
-  SvgChart chart;
-};
-
-void add_z_width(const Kind& kind, Files& out) {
+void add_z_width(const Kind& kind, DeviceCurves& out) {
   const auto points_of = z_width(kind.axis, kind.most_damping);
   for (const ZWidthPoint& p : points_of)
     out.csv.append(kind.name).append(row({p.damping, p.stable, p.passive}));
@@ -138,7 +132,7 @@ void add_z_width(const Kind& kind, Files& out) {
   out.chart.panels.push_back(panel);
 }
 
-void add_limits(const Kind& kind, Files& out) {
+void add_limits(const Kind& kind, DeviceCurves& out) {
   const auto add = [&](const char* what, const std::string& unit,
                        const std::vector<LimitAt>& limits) {
     for (const LimitAt& l : limits)
@@ -163,7 +157,7 @@ void add_limits(const Kind& kind, Files& out) {
     add("encoder step", kind.step, limits_by_step(kind.axis, kind.resolution, kind.friction));
 }
 
-void add_impedance(const Kind& kind, double stiffness, double damping, Files& out) {
+void add_impedance(const Kind& kind, double stiffness, double damping, DeviceCurves& out) {
   SampledAxis axis = kind.axis;
   axis.virtual_damping = damping;
   ChartPanel panel{
@@ -198,7 +192,7 @@ AxisHand light_hand(const Kind& kind, double mass) {
 
 /// Rate-hardness and rise time, up to twice the recommended stiffness, at the recommended damping.
 void add_hardness(const Kind& kind, const AxisHand& hand, double stiffness, double damping,
-                  Files& out) {
+                  DeviceCurves& out) {
   SampledAxis axis = kind.axis;
   axis.virtual_damping = damping;
   const std::string at =
@@ -304,15 +298,19 @@ std::vector<LimitAt> limits_by_step(const SampledAxis& axis, double step, double
   return out;
 }
 
-std::vector<StudyFile> device_curve_files(const TuningResults& results) {
-  Files width{"axis,damping,stable,passive\n", {"Z-width of the device alone", {}}};
-  Files limits{"axis,property,value,stable,passive,slope\n",
-               {"What limits a wall on the device alone", {}}};
-  Files impedance{
+std::vector<DeviceCurves> device_curves(const TuningResults& results) {
+  DeviceCurves width{
+      "z_width", "axis,damping,stable,passive\n", {"Z-width of the device alone", {}}};
+  DeviceCurves limits{"limits",
+                      "axis,property,value,stable,passive,slope\n",
+                      {"What limits a wall on the device alone", {}}};
+  DeviceCurves impedance{
+      "impedance",
       "axis,frequency,wanted_re,wanted_im,rendered_re,rendered_im,handle_re,handle_im\n",
       {"Impedance of a wall, wanted and rendered", {}}};
-  Files hardness{"axis,stiffness,damping,rate_hardness,rise_time\n",
-                 {"How hard a wall on the device feels", {}}};
+  DeviceCurves hardness{"hardness",
+                        "axis,stiffness,damping,rate_hardness,rise_time\n",
+                        {"How hard a wall on the device feels", {}}};
   const Coupling gains = recommended_coupling(results);
   const bool object = gains.mode == Coupling::Mode::object;
   for (const Kind& kind : kinds_of(results)) {
@@ -327,16 +325,17 @@ std::vector<StudyFile> device_curve_files(const TuningResults& results) {
     add_impedance(kind, stiffness, damping, impedance);
     add_hardness(kind, light_hand(kind, results.device.at("mass")), stiffness, damping, hardness);
   }
+  std::vector<DeviceCurves> out{width, limits, impedance, hardness};
+  std::erase_if(out, [](const DeviceCurves& curves) { return curves.chart.panels.empty(); });
+  return out;
+}
+
+std::vector<StudyFile> device_curve_files(const TuningResults& results) {
   std::vector<StudyFile> out;
-  const auto add = [&](const char* name, const Files& files) {
-    if (files.chart.panels.empty()) return;
-    out.push_back({std::string(name) + ".csv", files.csv});
-    out.push_back({std::string(name) + ".svg", to_svg(files.chart)});
-  };
-  add("z_width", width);
-  add("limits", limits);
-  add("impedance", impedance);
-  add("hardness", hardness);
+  for (const DeviceCurves& curves : device_curves(results)) {
+    out.push_back({curves.name + ".csv", curves.csv});
+    out.push_back({curves.name + ".svg", to_svg(curves.chart)});
+  }
   return out;
 }
 

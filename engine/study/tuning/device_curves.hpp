@@ -2,8 +2,10 @@
 #pragma once
 
 #include <complex>
+#include <string>
 #include <vector>
 
+#include "engine/study/charts/svg_chart.hpp"
 #include "engine/study/parts/study_parts.hpp"
 #include "engine/study/stability/sampled_stability.hpp"
 #include "engine/study/tuning/tuning_results.hpp"
@@ -43,10 +45,18 @@ std::vector<LimitAt> limits_by_hand_damping(const SampledAxis& axis);
 /// (Abbott and Okamura, 2005), or the limit without a step if that is less.
 std::vector<LimitAt> limits_by_step(const SampledAxis& axis, double step, double friction);
 
-/// z_width.csv, z_width.svg; limits.csv, limits.svg; impedance.csv, impedance.svg; hardness.csv,
-/// hardness.svg: for the device of a study, for its translation and, if it has motors for it, its
-/// rotation; the impedance is at the recommended gains, and the hardness of a wall is given up to
-/// twice their stiffness.
+/// Curves of one kind, as numbers and as a picture.
+struct DeviceCurves {
+  std::string name;  ///< of its files
+  std::string csv;
+  SvgChart chart;
+};
+
+/// z_width, limits, impedance, hardness: for the device of a study, for its translation and, if it
+/// has motors for it, its rotation; the impedance is at the recommended gains, and the hardness of
+/// a wall is given up to twice their stiffness. Both are missing without a recommendation.
+std::vector<DeviceCurves> device_curves(const TuningResults& results);
+/// NAME.csv and NAME.svg of each.
 std::vector<StudyFile> device_curve_files(const TuningResults& results);
 
 }  // namespace sonde
