@@ -3,6 +3,7 @@
 
 #include <QVTKInteractor.h>
 #include <QVTKOpenGLNativeWidget.h>
+#include <vtkChartXY.h>
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -52,6 +53,11 @@ void ChartCanvas::redraw() {
   drawing_->renderer->SetBackground(back.redF(), back.greenF(), back.blueF());
   arrange(devicePixelRatioF());
   drawing_->window->Render();
+}
+
+void ChartCanvas::place_chart(vtkChartXY& chart, const QRectF& within, double ratio) const {
+  chart.SetSize(vtkRectf(float(within.left() * ratio), float((height() - within.bottom()) * ratio),
+                         float(within.width() * ratio), float(within.height() * ratio)));
 }
 
 void ChartCanvas::resizeEvent(QResizeEvent* event) {

@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <memory>
 
+class vtkChartXY;
 class vtkContextScene;
 
 namespace sonde::ui {
@@ -24,6 +25,8 @@ class ChartCanvas : public QWidget {
   /// Gives the charts their places and the theme's colours. VTK's lengths are device pixels:
   /// `ratio` to one of Qt's.
   virtual void arrange(double ratio) = 0;
+  /// Puts the axes of a chart, whose size that is, round that place in Qt's pixels.
+  void place_chart(vtkChartXY& chart, const QRectF& within, double ratio) const;
 
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;

@@ -13,9 +13,12 @@
 
 #include <QColor>
 #include <QPalette>
+#include <QRectF>
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "engine/study/charts/chart_scale.hpp"
 #include "ui/base/format.hpp"
 #include "ui/base/theme.hpp"
 
@@ -24,6 +27,7 @@ namespace {
 
 constexpr double upright_tick_room = 20;  // pixels
 constexpr int text_size = 12;
+constexpr double digit_width = 7;  // pixels
 
 void set_text(vtkTextProperty& text, const QPalette& palette) {
   const QColor faint = faint_text(palette);
@@ -36,16 +40,48 @@ void set_text(vtkTextProperty& text, const QPalette& palette) {
 void set_axis(vtkAxis& axis, const QPalette& palette) {
   set_text(*axis.GetLabelProperties(), palette);
   set_text(*axis.GetTitleProperties(), palette);
-  const bool light = is_light(palette);
-  set_pen(*axis.GetPen(), light ? QColor(140, 148, 158) : QColor(90, 100, 112));
-  set_pen(*axis.GetGridPen(), light ? QColor(222, 226, 232) : QColor(60, 68, 78));
+  set_pen(*axis.GetPen(), axis_colour(palette));
+  set_pen(*axis.GetGridPen(), is_light(palette) ? QColor(222, 226, 232) : QColor(60, 68, 78));
+}
+
+vtkPlot* add_plot(vtkChartXY& chart, int kind, int columns) {
+  vtkNew<vtkTable> table;
+  for (int i = 0; i < columns; ++i) {
+    vtkNew<vtkDoubleArray> column;
+    column->SetName(std::to_string(i).c_str());
+    table->AddColumn(column);
+  }
+  vtkPlot* plot = chart.AddPlot(kind);
+  plot->SetInputData(table, 0, 1);
+  return plot;
+}
+
+void set_columns(vtkPlot& plot, const std::vector<std::vector<double>>& columns) {
+  vtkTable& table = *plot.GetInput();
+  for (vtkIdType i = 0; const std::vector<double>& values : columns) {
+    auto* column = vtkDoubleArray::SafeDownCast(table.GetColumn(i++));
+    column->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+    std::ranges::copy(values, column->GetPointer(0));
+    column->Modified();
+  }
+  table.Modified();
 }
 
 }  // namespace
 
+QFont chart_font(QFont of) {
+  of.setPointSizeF(8.5);
+  return of;
+}
+
+QColor axis_colour(const QPalette& palette) {
+  return is_light(palette) ? QColor(140, 148, 158) : QColor(90, 100, 112);
+}
+
 void set_pen(vtkPen& pen, const QColor& colour) {
   pen.SetColor(static_cast<unsigned char>(colour.red()), static_cast<unsigned char>(colour.green()),
-               static_cast<unsigned char>(colour.blue()));
+               static_cast<unsigned char>(colour.blue()),
+               static_cast<unsigned char>(colour.alpha()));
 }
 
 void set_up(vtkChartXY& chart) {
@@ -77,8 +113,7 @@ void set_marks(vtkAxis& axis, const std::vector<AxisMark>& marks) {
   axis.SetCustomTickPositions(places, texts);
 }
 
-void set_ticks(vtkAxis& axis, double room, double each) {
-  const double low = axis.GetMinimum(), high = axis.GetMaximum();
+std::vector<AxisMark> round_marks(double low, double high, double room, double each) {
   double step = round_down_125(high - low);
   for (double finer = round_down_125(0.6 * step); (high - low) / finer <= room / each;
        finer = round_down_125(0.6 * step))
@@ -86,7 +121,25 @@ void set_ticks(vtkAxis& axis, double room, double each) {
   std::vector<AxisMark> marks;
   for (double n = std::ceil(low / step); n <= std::floor(high / step); ++n)
     marks.push_back({n * step, QString::number(n * step, 'g', 4)});
-  set_marks(axis, marks);
+  return marks;
+}
+
+void set_ticks(vtkAxis& axis, double room, double each) {
+  set_marks(axis, round_marks(axis.GetMinimum(), axis.GetMaximum(), room, each));
+}
+
+std::vector<AxisMark> log_marks(double low, double high, double room) {
+  const ChartScale scale(
+      {.label = {}, .logarithmic = true, .from = std::pow(10, low), .to = std::pow(10, high)}, {});
+  std::vector<AxisMark> marks;
+  double free = -room;  // pixels along the axis, where the next may begin
+  for (const ChartScale::Tick& tick : scale.ticks()) {
+    const double half = 0.5 * digit_width * static_cast<double>(tick.text.size());
+    const bool fits = tick.place * room - half >= free;
+    marks.push_back({low + tick.place * (high - low), fits ? text(tick.text) : QString()});
+    if (fits && !tick.text.empty()) free = tick.place * room + half + digit_width;
+  }
+  return marks;
 }
 
 void set_values(vtkAxis& axis, double low, double high, double room) {
@@ -98,31 +151,37 @@ void set_values(vtkAxis& axis, double low, double high, double room) {
   set_ticks(axis, room, upright_tick_room);
 }
 
-vtkPlot* add_line(vtkChartXY& chart) {
-  vtkNew<vtkTable> table;
-  for (const char* name : {"x", "y"}) {
-    vtkNew<vtkDoubleArray> column;
-    column->SetName(name);
-    table->AddColumn(column);
-  }
-  vtkPlot* line = chart.AddPlot(vtkChart::LINE);
-  line->SetInputData(table, 0, 1);
-  return line;
+vtkPlot* add_line(vtkChartXY& chart) { return add_plot(chart, vtkChart::LINE, 2); }
+
+vtkPlot* add_markers(vtkChartXY& chart) { return add_plot(chart, vtkChart::POINTS, 2); }
+
+vtkPlot* add_boxes(vtkChartXY& chart, const QColor& colour) {
+  vtkPlot* boxes = add_plot(chart, vtkChart::AREA, 3);
+  boxes->SetInputArray(2, "2");
+  boxes->SetColor(colour.redF(), colour.greenF(), colour.blueF());
+  return boxes;
 }
 
-void set_points(vtkPlot& line, const std::vector<QPointF>& points) {
-  vtkTable& table = *line.GetInput();
-  auto* x = vtkDoubleArray::SafeDownCast(table.GetColumn(0));
-  auto* y = vtkDoubleArray::SafeDownCast(table.GetColumn(1));
-  x->SetNumberOfValues(static_cast<vtkIdType>(points.size()));
-  y->SetNumberOfValues(static_cast<vtkIdType>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    x->SetValue(static_cast<vtkIdType>(i), points[i].x());
-    y->SetValue(static_cast<vtkIdType>(i), points[i].y());
+void set_points(vtkPlot& plot, const std::vector<QPointF>& points) {
+  std::vector<double> x, y;
+  for (const QPointF& point : points) {
+    x.push_back(point.x());
+    y.push_back(point.y());
   }
-  x->Modified();
-  y->Modified();
-  table.Modified();
+  set_columns(plot, {x, y});
+}
+
+/// VTK fills between two lines. Between two boxes the lines are one, and enclose nothing.
+void set_boxes(vtkPlot& boxes, const std::vector<QRectF>& rects) {
+  std::vector<double> x, low, high;
+  for (const QRectF& rect : rects) {
+    const double middle = rect.center().y();
+    x.insert(x.end(), {rect.left(), rect.left(), rect.right(), rect.right()});
+    low.insert(low.end(), {middle, rect.top(), rect.top(), middle});
+    high.insert(high.end(), {middle, rect.bottom(), rect.bottom(), middle});
+  }
+  set_columns(boxes, {x, low, high});
+  boxes.SetVisible(!rects.empty());
 }
 
 void set_upright(vtkPlot& line, vtkChartXY& chart, double at) {

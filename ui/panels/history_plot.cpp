@@ -7,6 +7,7 @@
 
 #include "ui/base/format.hpp"
 #include "ui/base/theme.hpp"
+#include "ui/panels/chart_style.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -48,16 +49,14 @@ void HistoryPlot::set_unit(double scale, const QString& name) {
 void HistoryPlot::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.fillRect(rect(), plot_background(palette()));
-  QFont small = font();
-  small.setPointSizeF(8.5);
-  painter.setFont(small);
-  const QFontMetrics metrics(small);
+  painter.setFont(chart_font(font()));
+  const QFontMetrics metrics = painter.fontMetrics();
   double largest = 0;
   for (const Sample& sample : samples_) largest = std::max(largest, sample.value * scale_);
   const double top = largest > 1e-9 ? round_up(largest) : 1;
   const double head = metrics.height() + 4.0;
   const double tall = height() - head - 3;
-  painter.setPen(palette().color(QPalette::Mid));
+  painter.setPen(axis_colour(palette()));
   painter.drawLine(QPointF(0, head), QPointF(width(), head));
   painter.setPen(faint_text(palette()));
   painter.drawText(QPointF(5, metrics.ascent() + 2),

@@ -1,25 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QWidget>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "ui/panels/chart_canvas.hpp"
 #include "ui/tuning/stability_map.hpp"
 
-class QPainter;
-class QPainterPath;
+class QLabel;
 
 namespace sonde::ui {
+
+class ChartLegend;
 
 /// A stability map: coloured cells of stiffness by damping, the measured and the theoretical limits
 /// as lines, the present and the recommended gains as points. Where rows are situations, the points
 /// are lines across, because the gains are the same in each. A point outside the map is drawn at
 /// its edge. The contact that holds the probe now is marked: the names of its rows, and its own
 /// boundary. A click, or a drag with the left button, asks for the gains there.
-class MapPlot : public QWidget {
+class MapPlot : public ChartCanvas {
  public:
   explicit MapPlot(QWidget* parent);
+  ~MapPlot() override;
 
   void set_map(const StabilityMap& map);
   const StabilityMap& map() const { return map_; }
@@ -46,24 +51,31 @@ class MapPlot : public QWidget {
   QSize minimumSizeHint() const override { return {270, 280}; }
 
  protected:
-  void paintEvent(QPaintEvent* event) override;
+  void arrange(double ratio) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
 
  private:
-  struct Scales;
+  struct Drawn;
+  /// Of the cells, px.
   QRectF area() const;
-  void paint_cells(QPainter& painter, const Scales& scales) const;
-  void paint_stiffness(QPainter& painter, const Scales& scales) const;
-  void paint_rows(QPainter& painter, const Scales& scales) const;
-  void paint_limit(QPainter& painter, const Scales& scales, double MapRow::*limit,
-                   Qt::PenStyle style) const;
-  void paint_contact(QPainter& painter, const Scales& scales) const;
-  QPainterPath path_of(const StabilityMap& map, const Scales& scales, double MapRow::*limit) const;
-  void paint_points(QPainter& painter) const;
-  void paint_legend(QPainter& painter) const;
+  /// In the units of the axes, rising from the top of the rectangle to its bottom.
+  QRectF ranges() const;
+  QPointF on_screen(const QPointF& on_axes, const QRectF& cells) const;
+  /// Brought into the map.
+  QPointF on_axes(const MapPoint& point) const;
+  /// Through the dampings; over situations, an upright stroke in each row. None off the map.
+  std::vector<QPointF> path(const std::vector<MapRow>& rows, double MapRow::*limit) const;
+  void set_names();
+  void arrange_axes(const QRectF& cells);
+  void arrange_names(const QRectF& cells);
+  void draw_contact(const QRectF& cells);
+  void draw_point(const std::optional<MapPoint>& point, std::size_t mark, std::size_t line);
 
+  std::unique_ptr<Drawn> drawn_;
+  ChartLegend* legend_;
+  std::vector<QLabel*> names_;  ///< of the rows that are situations
   StabilityMap map_, of_contact_;
   std::string contact_;
   std::optional<MapPoint> now_, recommended_;

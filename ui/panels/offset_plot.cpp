@@ -11,7 +11,6 @@
 #include <vtkPlot.h>
 #include <vtkPlotHistogram2D.h>
 
-#include <QLabel>
 #include <QMouseEvent>
 #include <algorithm>
 #include <array>
@@ -19,7 +18,7 @@
 #include <numbers>
 #include <utility>
 
-#include "ui/base/theme.hpp"
+#include "ui/panels/chart_legend.hpp"
 #include "ui/panels/chart_style.hpp"
 
 namespace sonde::ui {
@@ -27,7 +26,6 @@ namespace {
 
 constexpr double to_degrees = 180 / std::numbers::pi;
 constexpr double map_left = 46, map_right = 18, map_head = 20, map_foot = 38;  // px
-constexpr int legend_edge = 4;                                                 // px
 
 /// What can be of a point, in the colours that the study's picture has.
 struct Outcome {
@@ -42,14 +40,11 @@ const std::array<Outcome, 3>& outcomes() {
 }
 std::size_t outcome(double free, double wanted) { return free >= wanted ? 0 : free >= 0 ? 1 : 2; }
 
-QString legend_text(const QPalette& palette) {
-  QStringList texts;
+std::vector<LegendEntry> legend_entries() {
+  std::vector<LegendEntry> entries;
   for (const Outcome& each : outcomes())
-    texts << QStringLiteral("<span style='color:%1'>■</span>&nbsp;%2")
-                 .arg(each.colour.name(),
-                      QString::fromUtf8(each.words).replace(QLatin1Char(' '), "&nbsp;"));
-  return QStringLiteral("<span style='color:%1'>%2</span>")
-      .arg(faint_text(palette).name(), texts.join(QStringLiteral("&nbsp; ")));
+    entries.push_back({QStringLiteral("■"), each.colour, QString::fromUtf8(each.words)});
+  return entries;
 }
 
 /// At the first cell, the middle and the last one.
@@ -112,16 +107,11 @@ struct OffsetPlot::Map {
 };
 
 OffsetPlot::OffsetPlot(QWidget* parent)
-    : ChartCanvas(parent), drawn_(std::make_unique<Map>(scene())), legend_(new QLabel(this)) {
+    : ChartCanvas(parent), drawn_(std::make_unique<Map>(scene())), legend_(new ChartLegend(this)) {
   setObjectName(QStringLiteral("offset_plot"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setToolTip(QStringLiteral("A click takes the probe to the mouth, off by that much"));
-  QFont small = font();
-  small.setPointSizeF(8.5);
-  legend_->setFont(small);
-  legend_->setTextFormat(Qt::RichText);
-  legend_->setWordWrap(true);
-  legend_->setText(legend_text(palette()));
+  legend_->set_entries(legend_entries());
   drawn_->chart->SetTitle("angle of tilt, °");
 }
 
@@ -145,9 +135,8 @@ void OffsetPlot::choose(std::optional<MapPlace> place) {
 }
 
 QRectF OffsetPlot::area() const {
-  const double legend = legend_->heightForWidth(width() - 2 * legend_edge) + legend_edge;
   return {map_left, map_head, std::max(width() - map_left - map_right, 1.0),
-          std::max(height() - map_head - map_foot - legend, 1.0)};
+          std::max(height() - map_head - map_foot - legend_->room(), 1.0)};
 }
 
 /// Offsets to the right, tilts upwards.
@@ -160,13 +149,9 @@ QPointF OffsetPlot::place_of(const MapPlace& place) const {
 }
 
 void OffsetPlot::arrange(double ratio) {
-  legend_->setText(legend_text(palette()));
+  legend_->arrange();
   const QRectF all = area();
-  const int wide = width() - 2 * legend_edge, high = legend_->heightForWidth(wide);
-  legend_->setGeometry(legend_edge, height() - high - legend_edge, wide, high);
-  drawn_->chart->SetSize(vtkRectf(float(all.left() * ratio),
-                                  float((height() - all.bottom()) * ratio),
-                                  float(all.width() * ratio), float(all.height() * ratio)));
+  place_chart(*drawn_->chart, all, ratio);
   set_theme(*drawn_->chart, palette());
   set_pen(*drawn_->chosen->GetPen(), palette().color(QPalette::WindowText));
   drawn_->chosen->SetWidth(float(2 * ratio));

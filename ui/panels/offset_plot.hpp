@@ -10,9 +10,9 @@
 #include "ui/base/format.hpp"
 #include "ui/panels/chart_canvas.hpp"
 
-class QLabel;
-
 namespace sonde::ui {
+
+class ChartLegend;
 
 /// How a part may be off at the mouth, and how far it goes in there.
 struct OffsetMap {
@@ -51,7 +51,7 @@ class OffsetPlot : public ChartCanvas {
   QRectF area() const;
 
   std::unique_ptr<Map> drawn_;
-  QLabel* legend_;
+  ChartLegend* legend_;
   OffsetMap map_;
   std::optional<MapPlace> chosen_;
 };

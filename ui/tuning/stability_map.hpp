@@ -41,6 +41,7 @@ StabilityMap stability_map(const TuningResults& results, GainAxis axis, const st
 struct MapPoint {
   double stiffness = 0;
   double damping = 0;
+  bool operator==(const MapPoint&) const = default;
 };
 MapPoint point_of(const Coupling& gains, GainAxis axis);
 

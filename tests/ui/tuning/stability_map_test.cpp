@@ -3,11 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <QApplication>
-
 #include "tests/engine/study/tuning/made_up_results.hpp"
-#include "tests/ui/window_fixture.hpp"
-#include "ui/panels/map_plot.hpp"
 
 namespace sonde::ui::test {
 namespace {
@@ -57,25 +53,6 @@ TEST(StabilityMap, over_dampings_it_shows_the_worst_situation_of_those_that_all_
   EXPECT_EQ(map.rows[0].to, 1);
   EXPECT_EQ(map.rows[1].from, 1);
   EXPECT_EQ(stability_map(classic_results(), GainAxis::translation, "flat").rows.size(), 3u);
-}
-
-TEST(MapPlot, says_what_the_map_says_at_a_point_and_draws_it_there) {
-  need_application();
-  MapPlot plot(nullptr);
-  plot.resize(330, 300);
-  plot.set_map(stability_map(classic_results(), GainAxis::translation, ""));
-  EXPECT_EQ(plot.map_class({45, 0}), MapClass::stable);
-  EXPECT_EQ(plot.map_class({250, 0}), MapClass::unstable);
-  EXPECT_EQ(plot.map_class({250, 2}), MapClass::stable);
-  EXPECT_FALSE(plot.map_class({250, 3})) << "off the map";
-  EXPECT_GT(plot.place({250, 0}).x(), plot.place({45, 0}).x());
-  EXPECT_LT(plot.place({45, 2}).y(), plot.place({45, 0}).y());
-  EXPECT_EQ(plot.place({1e9, 0}).x(), plot.place({plot.map().high, 0}).x()) << "at the edge";
-  const QPoint at = plot.place({250, 1.5}).toPoint();
-  const auto light = [&] { return plot.grab().toImage().pixelColor(at).lightness(); };
-  EXPECT_LT(light(), 200);
-  plot.set_now(MapPoint{250, 1.5});
-  EXPECT_EQ(light(), 255);
 }
 
 }  // namespace

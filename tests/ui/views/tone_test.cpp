@@ -8,6 +8,7 @@
 #include <vtkRenderer.h>
 
 #include <QColor>
+#include <QPalette>
 
 namespace sonde::ui {
 namespace {
