@@ -41,7 +41,7 @@ ChartLegend::ChartLegend(QWidget* chart) : QLabel(chart) {
 
 void ChartLegend::set_entries(std::vector<LegendEntry> entries) {
   entries_ = std::move(entries);
-  setText(text_of(entries_, palette()));
+  setText(text_of(entries_, parentWidget()->palette()));
 }
 
 double ChartLegend::room() const {
@@ -49,7 +49,7 @@ double ChartLegend::room() const {
 }
 
 void ChartLegend::arrange() {
-  setText(text_of(entries_, palette()));
+  setText(text_of(entries_, parentWidget()->palette()));
   const QWidget& chart = *parentWidget();
   const int wide = chart.width() - 2 * legend_edge, high = heightForWidth(wide);
   setGeometry(legend_edge, chart.height() - high - legend_edge, wide, high);

@@ -132,8 +132,7 @@ void StudyChart::arrange(double ratio) {
   const double wide = std::max(width() - chart_left - chart_right, 1.0);
   const double high = std::max(height() - foot - chart_head, 1.0);
   set_theme(*drawn_->chart, palette());
-  drawn_->chart->SetSize(vtkRectf(float(chart_left * ratio), float(foot * ratio),
-                                  float(wide * ratio), float(high * ratio)));
+  place_chart(*drawn_->chart, {chart_left, chart_head, wide, high}, ratio);
   drawn_->chart->RecalculateBounds();
 }
 

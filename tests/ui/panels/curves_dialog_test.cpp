@@ -59,7 +59,7 @@ TEST_F(CurvesDialogTest, the_chosen_chart_is_shown_and_stays) {
   CurvesDialog dialog(nullptr);
   dialog.show_curves(QStringLiteral("one"), device_curves(results()));
   auto* choice = dialog.findChild<QComboBox*>(QStringLiteral("curves_choice"));
-  auto* chart = dialog.findChild<StudyChart*>();
+  auto* chart = dialog.findChild<StudyChart*>(QStringLiteral("study_chart"));
   ASSERT_TRUE(choice && chart);
   dialog.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
@@ -89,7 +89,7 @@ TEST_F(CurvesDialogTest, opens_from_the_dock_and_closes_with_its_study) {
   auto* button = panel.findChild<QPushButton*>(QStringLiteral("device_curves"));
   ASSERT_TRUE(button);
   button->click();
-  auto* dialog = panel.findChild<CurvesDialog*>();
+  auto* dialog = panel.findChild<CurvesDialog*>(QStringLiteral("curves_dialog"));
   ASSERT_TRUE(dialog);
   EXPECT_TRUE(dialog->isVisible());
   EXPECT_FALSE(titles(*dialog).filter(QStringLiteral("impedance")).isEmpty());
