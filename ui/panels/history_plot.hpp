@@ -9,7 +9,7 @@ namespace sonde::ui {
 
 /// A strip of the last ten seconds of one quantity, with its largest value at the upper left. Qt
 /// draws it, in the look of the charts: two strips are there from the start, each with 55 pixels of
-/// height for its curve, and as a chart of VTK each would take 65 to 90 ms for its first picture
+/// height for its curve, and as a chart of VTK each would take 65 to 110 ms for its first picture
 /// (of a processor that draws itself) and 6.5 MB.
 class HistoryPlot : public QWidget {
  public:

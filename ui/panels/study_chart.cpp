@@ -23,7 +23,7 @@ namespace {
 
 // px
 constexpr double chart_left = 64, chart_right = 22, chart_head = 26, chart_foot = 40;
-constexpr double mark_size = 8;
+constexpr double mark_size = 5;
 
 QColor colour_of(const ChartPanel& panel, std::size_t series) {
   return QColor(text(svg::series_color(panel.series[series].color.value_or(series))));

@@ -158,7 +158,7 @@ void Search::pushed_starts() {
   round(
       [&](std::size_t k, std::size_t lane) {
         Random random = stream(2500 + k);
-        const double radius = random.uniform(tuned_.nearest_push, tuned_.farthest_push) *
+        const double radius = random.uniform(tuned_.same_place, tuned_.farthest_push) *
                               std::min(optima_.best(), probe_.mass.radius);
         return starts_.push_apart_within(radius, random, aim(options_.method), lane);
       },
@@ -230,7 +230,7 @@ void Search::first_translations() {
   if (!has_sketches()) return near_starts(Method::pdt);
   SketchSearch sketches(chart_, sketch_goal(Method::pdt), starts_.sketch_descents(), threads_,
                         tuned_);
-  sketches.make_starts(tuned_.sketches_of_translations, tuned_.sketches_of_translations, 0);
+  sketches.make_starts(tuned_.first_sketches / 2, tuned_.first_sketches / 2, 0);
   other_sketches_ += sketches.made();
   from_ends(sketches, Method::pdt, evidence_.settles() ? 1 : 2);
 }
@@ -290,7 +290,7 @@ void Search::pushed_rounds() {
     round([&](std::size_t k, std::size_t lane) {
       Random random = stream(3000 + static_cast<std::uint64_t>(start) + k);
       const double radius =
-          random.uniform(tuned_.nearest_overlap, tuned_.farthest_overlap) * optima_.best();
+          random.uniform(tuned_.same_place, tuned_.farthest_overlap) * optima_.best();
       if (k % 2 == 0)
         if (const auto y = starts_.along_axes(random, tuned_.farthest_overlap * optima_.best()))
           return starts_.push_apart_and_descend(*y, aim(options_.method), lane);
@@ -313,7 +313,7 @@ void Search::random_starts(int first) {
 
 Separation Search::finish() {
   for (const Vec6& y : optima_.nearest(tuned_.refined)) {
-    if (y.norm() > tuned_.worth_refining * optima_.best() ||
+    if (y.norm() > (1 + tuned_.same / 2) * optima_.best() ||
         (budget_.is_over() && verified_.best()))
       break;
     add_unless_cut(refined(options_.method, y, budget_.steps_left()));

@@ -63,7 +63,7 @@ class Search {
   /// discarded, except the first one, which goes as far as the steps allow.
   template <class Start>
   void round(const Start& start, std::size_t most = per_round) {
-    const std::size_t count_at_once = budget_.counts_steps() ? 2 : most;
+    const std::size_t count_at_once = budget_.counts_steps() ? 2 : std::min(most, per_round);
     for (std::size_t first = 0; first < most; first += count_at_once) {
       if (is_over() && !optima_.empty()) return;
       Round found;

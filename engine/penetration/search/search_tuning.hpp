@@ -36,23 +36,21 @@ struct SearchTuning {
   /// number is doubled as long as it is unclear which end is the best. On the 224 poses of
   /// depths.csv that have sketches and three seeds, 16 starts come to within a tenth of the depth
   /// of the reference pose on 442 of 672, 64 on 546, 256 on 588 and 512 on 597.
-  int first_sketches = 16;
+  int first_sketches = 16;  ///< half as many for the first translation, which is only a start
   int most_first_sketches = 64;
   int most_sketches = 256;
-  /// Number of starts on sketches for the first translation, whose result serves only as a start.
-  int sketches_of_translations = 8;
   /// Number of starts on sketches that must independently reach the best end; `clear_alone`
   /// suffices if no other end is within `alone` times the best depth. With `clear` 4, two more
   /// poses of 244 end over 1 % too deep, and the median is 12.2 ms instead of 14.7.
   int clear = 8;
   int clear_alone = 4;
   double alone = 1.08;
-  /// Share of the depth: ends on sketches that are no further apart count as one local optimum. If
-  /// it is larger, different optima are merged, and the better one may not be tried.
-  double same_place_on_sketches = 0.1;
-  /// Factor on the depth of a known end: a new end at the same optimum with less depth than this is
-  /// worth another descent of the bodies.
-  double nearer_on_sketches = 0.98;
+  /// Share of the best depth: what is no further apart counts as one place. Ends on sketches are
+  /// one local optimum, no start is made nearer to the best optimum or to the device pose, and no
+  /// descent begins at a pose so near a known one. If it is larger, different optima are merged,
+  /// and the better one may not be tried. (Five numbers before, all 0.1: half or twice of each
+  /// changed no more than other seeds do.)
+  double same_place = 0.1;
   /// Number of starts from the nearest free poses, before some are made near the best depth and the
   /// best ends.
   int near_sketches = 16;
@@ -67,12 +65,11 @@ struct SearchTuning {
   Balls other_balls{1.25, 8};                ///< about the best depth, and about ends
   double least_far_ball = 0.8;               ///< times the best depth
   double largest_far_ball = 1.5;             ///< times the best depth
-  double least_end_ball = 0.1;               ///< times the best depth, about one of the best ends
-  double largest_end_ball = 0.6;             ///< times the best depth
+  double largest_end_ball = 0.6;             ///< times the best depth, about one of the best ends
   std::size_t ends_for_sketches = 3;         ///< number of best ends about which starts are made
-  /// Times the best depth: a descent that will end above is given up.
+  /// Times the best depth: a descent with few points that will end above is given up. With all
+  /// points it is `hopeless`: ends beside the best are wanted.
   double hopeless_few_points = 0.95;
-  double hopeless_more_points = 1.1;  ///< the same with all points: ends beside the best are wanted
   /// Factor on the best depth: descents with few points that end above are not repeated with all
   /// points. If it is lower, optima are lost whose depth is too large with few points.
   double worth_more_points = 1.15;
@@ -116,12 +113,9 @@ struct SearchTuning {
   /// 384 are then within 1 % instead of 359.) If the factor is larger, a separating motion through
   /// a narrow gap may be missed.
   double narrow = 2.5;
-  double nearest_push = 0.1;   ///< times the best depth, or R if that is less
-  double farthest_push = 0.8;  ///< the same
-  /// Factors on the best depth: limit of |y| while an overlap is pushed apart, and distance from
-  /// the best optimum within which no descent starts from a freed pose, since it would end there.
+  double farthest_push = 0.8;  ///< times the best depth, or R if that is less
+  /// Factor on the best depth: limit of |y| while an overlap is pushed apart.
   double given_up_at = 1.3;
-  double known_within = 0.1;
 
   // Random starts
   /// Maximum number of random starts after the starts on sketches. On depths.csv, 16, 32, 64 and
@@ -154,36 +148,31 @@ struct SearchTuning {
   std::size_t ends_for_starts = 6;
   double about_nearest = 0.03;  ///< times the best depth: least radius of the ball about an end
   double about_wider = 0.47;    ///< times the best depth: largest addition; small ones are likelier
-  double nearest_overlap = 0.1;   ///< times the best depth: between solids, overlaps to push apart
-  double farthest_overlap = 1.2;  ///< the same
+  double farthest_overlap = 1.2;  ///< times the best depth: between solids, overlaps to push apart
   /// Times the best depth: radii of the first balls of far starts. (The ball of the best depth
   /// itself has no free pose.)
   double far_widths[3] = {0.75, 1.15, 1.5};
 
   // Descents of one start, by leaps: roughly by outlines, then by the true contacts
-  int rough_steps = 15;
+  int rough_steps = 15;      ///< and of an exact descent without a rough one before it
   double rough_reach = 0.3;  ///< share of |y|: the first leap
   /// Factor on the best depth: a rough descent that ends above is not repeated exactly. If it is
   /// lower, optima are lost whose depth is too large with outlines.
   double worth_exact = 1.2;
   int exact_steps = 12;
   double exact_reach = 0.1;
-  int exact_steps_alone = 15;  ///< if there was no rough descent
-  double exact_reach_alone = 0.2;
-  double exact_tolerance = 0.01;  ///< share of |y|; refined later
-  /// Factors on the best depth: a rough or an exact descent that will end above it is given up.
-  double hopeless_rough = 1.1;
-  double hopeless_exact = 1.02;
+  double exact_reach_alone = 0.2;  ///< if there was no rough descent
+  /// Factor on the best depth: a rough descent that will end above it is given up; an exact one
+  /// ends at `same` above it.
+  double hopeless = 1.1;
 
   // The end
   /// Share of the depth: depths that differ by less count as equal, and ends no further apart count
   /// as one local optimum. Agreement of starts ends the search, so if it is larger, the search may
-  /// end at an optimum that is deeper by that share.
+  /// end at an optimum that is deeper by that share. Exact descents end at half of it (a share of
+  /// |y|), and what ended further out than that is not refined.
   double same = 0.02;
   std::size_t refined = 3;  ///< number of best local optima that are refined
-  /// Factor on the best depth: descents that ended further out are not refined. Descents end a
-  /// thousandth or so above their optimum.
-  double worth_refining = 1.01;
   /// Factor on the best depth: a translation no deeper is refined with six degrees of freedom too.
   double translation_competes = 1.001;
 

@@ -27,31 +27,31 @@ LocalOptimum SearchWorker::descend(const Chart& chart, const Vec6& y, Method met
   const auto rough = leaps(method).run(chart, y,
                                        {.steps = std::min(tuned_.rough_steps, limits.steps),
                                         .reach = tuned_.rough_reach,
-                                        .beat = tuned_.hopeless_rough * beat},
+                                        .beat = tuned_.hopeless * beat},
                                        limits.before);
   LocalOptimum out{rough.y, rough.y.norm(), rough.iterations};
   const int left = limits.steps - out.iterations;
   if (left <= 0 || (beat > 0 && out.depth > tuned_.worth_exact * beat)) return out;
   const auto exact = leaps(method).run(chart, rough.y,
                                        {.guide = Guide::few,
-                                        .tolerance = tuned_.exact_tolerance,
+                                        .tolerance = tuned_.same / 2,
                                         .steps = std::min(tuned_.exact_steps, left),
                                         .reach = tuned_.exact_reach,
-                                        .beat = tuned_.hopeless_exact * beat},
+                                        .beat = (1 + tuned_.same) * beat},
                                        limits.before);
   return {exact.y, exact.y.norm(), out.iterations + exact.iterations};
 }
 
 LocalOptimum SearchWorker::descend_exactly(const Chart& chart, const Vec6& y, Method method,
                                            const Limits& limits) {
-  const auto exact = leaps(method).run(
-      chart, y,
-      {.guide = Guide::few,
-       .tolerance = tuned_.exact_tolerance,
-       .steps = std::min(tuned_.exact_steps_alone, limits.steps),
-       .reach = tuned_.exact_reach_alone,
-       .beat = std::isfinite(limits.beat) ? tuned_.hopeless_exact * limits.beat : 0},
-      limits.before);
+  const auto exact =
+      leaps(method).run(chart, y,
+                        {.guide = Guide::few,
+                         .tolerance = tuned_.same / 2,
+                         .steps = std::min(tuned_.rough_steps, limits.steps),
+                         .reach = tuned_.exact_reach_alone,
+                         .beat = std::isfinite(limits.beat) ? (1 + tuned_.same) * limits.beat : 0},
+                        limits.before);
   return {exact.y, exact.y.norm(), exact.iterations};
 }
 

@@ -73,7 +73,7 @@ std::optional<SketchEnd> SketchSearch::start(int number, SketchDescent& descent)
       static_cast<std::size_t>(number) % std::min(tuned_.ends_for_sketches, ends_.size());
   auto end = start_about(
       ends_[which].y,
-      std::max(smallest, best() * random.uniform(tuned_.least_end_ball, tuned_.largest_end_ball)),
+      std::max(smallest, best() * random.uniform(tuned_.same_place, tuned_.largest_end_ball)),
       tuned_.other_balls, random, descent);
   if (end) end->starts = 0;  // not independent: it started near a known end
   return end;
@@ -99,8 +99,8 @@ std::optional<SketchEnd> SketchSearch::descend(const Vec6& y, SketchDescent& des
       chart_, y,
       {.method = goal_.method, .rough = true, .beat = tuned_.hopeless_few_points * best()});
   if (rough.y.norm() > tuned_.worth_more_points * best()) return std::nullopt;
-  const auto end = descent.run(
-      chart_, rough.y, {.method = goal_.method, .beat = tuned_.hopeless_more_points * best()});
+  const auto end =
+      descent.run(chart_, rough.y, {.method = goal_.method, .beat = tuned_.hopeless * best()});
   if (!end.arrived) return std::nullopt;
   return SketchEnd{end.y, end.y.norm(), 1, y.norm()};
 }
@@ -121,10 +121,9 @@ void SketchSearch::add(const SketchEnd& end) {
   nearest_free_ =
       std::clamp(end.from, tuned_.smallest_ball_of_sketches * chart_.mass().radius, nearest_free_);
   for (SketchEnd& known : ends_)
-    if ((known.y - end.y).norm() < tuned_.same_place_on_sketches * known.depth) {
+    if ((known.y - end.y).norm() < tuned_.same_place * known.depth) {
       const int starts = known.starts + end.starts;
-      const double came_to =
-          end.depth < tuned_.nearer_on_sketches * known.depth ? -1 : known.came_to;
+      const double came_to = end.depth < (1 - tuned_.same) * known.depth ? -1 : known.came_to;
       if (end.depth < known.depth) known = end;
       known.starts = starts;
       known.came_to = came_to;

@@ -114,7 +114,7 @@ LocalOptimum Starts::push_apart_and_descend(const Vec6& y, const Aim& aim, std::
   const auto free =
       lanes_[lane].push(aim.method).from(chart_, y, tuned_.given_up_at * aim.beat, before_);
   LocalOptimum out;
-  if (free && !(aim.known && aim.known->is_known(*free, tuned_.known_within)))
+  if (free && !(aim.known && aim.known->is_known(*free, tuned_.same_place)))
     out = lanes_[lane].descend_exactly(chart_, *free, aim.method, limits(aim));
   out.starts = 0;  // not independent: they all begin near the device pose
   return out;
@@ -170,8 +170,7 @@ LocalOptimum Starts::descend_in_round(std::size_t turn, std::size_t k,
     return descend_near_end(ends[(turn * (per_round - far_starts) + k) % ends.size()], random, aim,
                             lane);
   if (probe_.solid && fixed_.solid && turn % 2 == 0) {
-    const double radius =
-        random.uniform(tuned_.nearest_overlap, tuned_.farthest_overlap) * aim.beat;
+    const double radius = random.uniform(tuned_.same_place, tuned_.farthest_overlap) * aim.beat;
     LocalOptimum out = push_apart_within(radius, random, aim, lane);
     out.starts = 1;
     return out;

@@ -5,6 +5,9 @@
 
 #include <stdexcept>
 
+#include "engine/penetration/search/static_search.hpp"
+#include "tests/support/shapes.hpp"
+
 namespace sonde {
 namespace {
 
@@ -24,6 +27,29 @@ TEST(SearchVariation, every_name_can_be_set) {
     SearchTuning tuning;
     EXPECT_NO_THROW(vary(tuning, name + "=1")) << name;
   }
+}
+
+/// More starts than a round has room for (there was none) and fewer than it expects.
+TEST(SearchVariation, every_whole_number_may_be_small_or_large) {
+  const Pair pair{test::body(test::sphere(0.03, 12, 16)),
+                  test::body(test::torus(0.06, 0.03, 16, 12))};
+  const Pose deep{Quat(0.9, 0.3, 0.2, 0.1).normalized(), Vec3(0.05, 0.01, 0.005)};
+  int whole = 0;
+  for (const std::string& name : names_of_search_tuning()) {
+    SearchTuning tuning;
+    try {
+      vary(tuning, name + "=1.5");
+      continue;  // it need not be whole
+    } catch (const std::invalid_argument&) {
+      ++whole;
+    }
+    for (const char* value : {"1", "40"}) {
+      vary(tuning, name + '=' + value);
+      const Separation found = separate_static(pair, deep, {}, tuning);
+      EXPECT_EQ(found.status, Status::penetrating) << name << '=' << value << ": " << found.reason;
+    }
+  }
+  EXPECT_GT(whole, 10);
 }
 
 TEST(SearchVariation, a_complaint_about_a_name_lists_every_name) {
