@@ -2,10 +2,11 @@
 #include "engine/devices/haply_arm.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
+#include <mutex>
+#include <set>
 #include <thread>
 
 #include "engine/base/error.hpp"
@@ -19,19 +20,38 @@ constexpr auto exchange_every = 1ms;
 constexpr auto answer_wait = 2ms;
 // Ten periods; with the servo's own limit of 20 ms for a sample, the force ends within that.
 constexpr auto silent_after = 10ms;
-constexpr auto gone_after = 1s;
+constexpr auto gone_after = 100ms;
 constexpr auto opening = 300ms;
 // Status and configuration come only when asked for: five times a second.
 constexpr int everything_every = 200;
 // Messages that do not mention the arm, before it counts as unplugged: the service takes some time
 // to list an arm again that it has started anew.
 constexpr int without_limit = 100;
-// Messages at once that nobody asked for, before the service counts as out of order.
-constexpr int flood = 64;
+/// The arms that this program has open: two that tell one of them forces would be felt as one that
+/// shakes.
+class OpenArms {
+ public:
+  /// False if it is open already.
+  bool add(const std::string& id) {
+    const std::lock_guard lock(mutex_);
+    return ids_.insert(id).second;
+  }
+  void remove(const std::string& id) {
+    const std::lock_guard lock(mutex_);
+    ids_.erase(id);
+  }
+  int count() {
+    const std::lock_guard lock(mutex_);
+    return static_cast<int>(ids_.size());
+  }
 
-std::atomic<int>& open_haply_arms() {
-  static std::atomic<int> count{0};
-  return count;
+ private:
+  std::mutex mutex_;
+  std::set<std::string> ids_;
+};
+OpenArms& open_haply_arms() {
+  static OpenArms arms;
+  return arms;
 }
 
 int service_port() {
@@ -72,8 +92,9 @@ HaplyLimits haply_limits_of(const std::string& model) {
   return found == std::end(known) ? HaplyLimits{"", 3, 0.10} : *found;
 }
 
-ArmIdentity haply_identity_of(const haply::Arm& arm, bool grip, unsigned buttons) {
-  const std::string model = arm.model.value_or("inverse3");
+ArmIdentity haply_identity_of(const haply::Arm& arm, bool grip) {
+  constexpr unsigned buttons_of_a_grip = 3;
+  const std::string model = arm.model.value_or("of no told model");
   const HaplyLimits limits = haply_limits_of(model);
   ArmIdentity identity;
   identity.name = "Haply " + (model == "inverse3"    ? "Inverse3"
@@ -84,7 +105,7 @@ ArmIdentity haply_identity_of(const haply::Arm& arm, bool grip, unsigned buttons
   identity.serial = "haply-" + arm.id;
   identity.capabilities = {.position = true,
                            .force = true,
-                           .buttons = grip ? buttons : 0,
+                           .buttons = buttons_of_a_grip,  // a grip may come later
                            .max_force = limits.force,
                            .rate_hz = 1000,
                            .reach = Vec3::Constant(limits.radius)};
@@ -103,16 +124,17 @@ HaplyService find_haply_service() {
     LocalSocket socket(static_cast<std::uint16_t>(port), opening);
     service.arms = inventory(socket, until, service.address).arms;
     service.answers = true;
-  } catch (const InputError& error) {
+  } catch (const std::exception& error) {  // out of sockets: no reason to end the program
     service.reason = error.what();
   }
   return service;
 }
 
-int HaplyArm::open() { return open_haply_arms(); }
+int HaplyArm::open() { return open_haply_arms().count(); }
 
 HaplyArm::HaplyArm(const std::string& id) : id_(id) {
   const std::string path = "haply/" + id;
+  if (!open_haply_arms().add(id)) throw InputError::in(path, "this program has it open already");
   try {
     const auto port = static_cast<std::uint16_t>(service_port());
     socket_ = std::make_unique<LocalSocket>(port, opening);
@@ -121,33 +143,38 @@ HaplyArm::HaplyArm(const std::string& id) : id_(id) {
     const auto found = std::ranges::find(all.arms, id, &haply::Arm::id);
     if (found == all.arms.end()) throw InputError("the service knows no arm of this id");
     arm_ = *found;
-    if (!all.grips.empty()) grip_.id = all.grips.front().id;
     take(all, *found);
-  } catch (const InputError& error) {
+  } catch (const std::exception& error) {
+    open_haply_arms().remove(id);
     throw InputError::in(path, error.what());
   }
-  constexpr unsigned buttons_of_a_grip = 3;
-  identity_ = haply_identity_of(arm_, !grip_.id.empty(), buttons_of_a_grip);
-  heard_ = DeviceClock::now();
-  ++open_haply_arms();
+  identity_ = haply_identity_of(arm_, !grip_.id.empty());
+  next_ = heard_ = caught_up_ = DeviceClock::now();
 }
 
 HaplyArm::~HaplyArm() {
-  // The force's end is on its way before the connection ends.
-  send({});
-  socket_->flush(DeviceClock::now() + silent_after);
-  --open_haply_arms();
+  try {
+    // The force's end is on its way before the connection ends. Where no force was told, nothing is
+    // said: another program may hold the arm.
+    const auto until = DeviceClock::now() + silent_after;
+    socket_->flush(until);
+    if (pushed_) send({});
+    socket_->flush(until);
+  } catch (const std::exception&) {
+    // The connection ends all the same.
+  }
+  open_haply_arms().remove(id_);
 }
 
 bool HaplyArm::write(const DeviceWrench& wrench, bool on) {
   wanted_ = on ? limited(wrench, identity_.capabilities) : DeviceWrench{};
-  if (awaited_) return true;
+  if (unanswered_ > 0) return true;
   pace();
   return send(wanted_);
 }
 
 void HaplyArm::pace() const {
-  if (!awaited_) std::this_thread::sleep_until(next_);
+  if (unanswered_ == 0) std::this_thread::sleep_until(next_);
 }
 
 bool HaplyArm::send(const DeviceWrench& wrench) {
@@ -160,21 +187,22 @@ bool HaplyArm::send(const DeviceWrench& wrench) {
   answers_ = wrench.sampled;
   sent_ = DeviceClock::now();
   next_ = std::clamp(next_ + exchange_every, sent_, sent_ + exchange_every);
-  awaited_ = true;
+  pushed_ = pushed_ || !wrench.force.isZero(0);
+  ++unanswered_;
   return true;
 }
 
 ArmReading HaplyArm::read() {
   pace();
-  if (!awaited_ && !send(wanted_)) return gone("it does not take what it is told");
+  if (unanswered_ == 0 && !send(wanted_)) return gone("it does not take what it is told");
   std::optional<std::string> newest = socket_->receive(DeviceClock::now() + answer_wait);
   if (!newest) return silent();
-  for (int i = 0; i < flood; ++i) {
+  for (--unanswered_; unanswered_ >= 0; --unanswered_) {
     std::optional<std::string> later = socket_->receive(DeviceClock::now());
     if (!later) return heard(*newest);
     newest = std::move(later);
   }
-  return gone("it sends messages that nobody asked for, " + std::to_string(flood) + " at once");
+  return gone("it sends messages that nobody asked for");
 }
 
 /// No answer: without one for too long, the force is to end there too.
@@ -182,23 +210,25 @@ ArmReading HaplyArm::silent() {
   if (!socket_->ended().empty()) return gone(socket_->ended());
   const auto now = DeviceClock::now();
   if (now - heard_ < silent_after) return {};
-  if (now - heard_ > gone_after) return gone("it has not answered for 1 s");
+  if (now - heard_ > gone_after) return gone("it has not answered for 0.1 s");
   if (now - sent_ >= silent_after && !send({}))
     return gone("it neither answers nor takes what it is told");
   return {.kind = ArmReading::Kind::fault, .words = "Haply's service does not answer"};
 }
 
-ArmReading HaplyArm::gone(const std::string& words) {
+ArmReading HaplyArm::gone(const std::string& words) const {
   return {.kind = ArmReading::Kind::gone, .words = "Haply's service: " + words};
 }
 
 ArmReading HaplyArm::heard(const std::string& text) {
   const auto now = DeviceClock::now();
-  // One that comes late says where the handle was, and that the force has been held.
-  const bool late = now - heard_ >= silent_after;
+  // One that comes late says where the handle was, and that the force has been held. With others
+  // still to come, it answers an earlier message.
+  const bool late = now - heard_ >= silent_after || unanswered_ > 0;
   round_trip_ = now - sent_;
   heard_ = now;
-  awaited_ = false;
+  if (unanswered_ == 0) caught_up_ = now;
+  if (now - caught_up_ > gone_after) return gone("it leaves messages without an answer");
   const auto fault_by = [](const std::string& words) {
     return ArmReading{.kind = ArmReading::Kind::fault, .words = words};
   };
@@ -229,8 +259,13 @@ void HaplyArm::take(const haply::Message& message, const haply::Arm& arm) {
   renew(arm_.calibrated, arm.calibrated);
   renew(arm_.powered, arm.powered);
   renew(arm_.basis, arm.basis);
-  renew(arm_.scaled, arm.scaled);
-  if (grip_.id.empty()) return;
+  renew(arm_.mount_scaled, arm.mount_scaled);
+  renew(arm_.place_scaled, arm.place_scaled);
+  if (grip_.id.empty() && !message.grips.empty()) {
+    const auto awake = [](const haply::Grip& grip) { return grip.ready.value_or(false); };
+    const auto best = std::ranges::find_if(message.grips, awake);
+    grip_.id = (best == message.grips.end() ? message.grips.front() : *best).id;
+  }
   const auto grip = std::ranges::find(message.grips, grip_.id, &haply::Grip::id);
   grip_.orientation = grip == message.grips.end() ? std::nullopt : grip->orientation;
   if (grip == message.grips.end()) return;
@@ -245,8 +280,8 @@ std::string HaplyArm::fault() const {
     return "it is not calibrated: put the grip on the inkwell, or calibrate it in Haply Hub";
   if (arm_.basis.value_or("XYZ") != "XYZ")
     return "the service gives its axes in the order " + *arm_.basis + " and does not change it";
-  if (arm_.scaled.value_or(false))
-    return "the service scales its movements: set the scale of its mount to 1 in Haply Hub";
+  if (arm_.mount_scaled.value_or(false) || arm_.place_scaled.value_or(false))
+    return "the service scales its movements: set the scale of its mount and transform to 1";
   if (!grip_.id.empty() && !grip_.ready.value_or(true)) return "its VerseGrip sleeps, or is away";
   if (!grip_.id.empty() && !grip_.orientation) return "its VerseGrip does not say how it is turned";
   return "";

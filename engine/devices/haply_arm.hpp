@@ -27,11 +27,13 @@ HaplyService find_haply_service();
 /// orientation and the buttons. Closes with the object, with its force off. It takes no torque.
 ///
 /// The service answers each message with one, so the force goes out and the pose comes back once a
-/// millisecond. Without an answer for 10 ms the service is told that the force is zero; if it does
-/// not take even that, the connection is closed, which ends the force there.
+/// millisecond. Without an answer for 10 ms the service is told that the force is zero; without one
+/// for 100 ms, or if it does not take what it is told, the connection is closed. A service that
+/// hangs may hold its last force until its own watch acts.
 class HaplyArm {
  public:
-  /// Opens an arm by the id that the service gives it. Throws InputError "haply/ID: reason".
+  /// Opens an arm by the id that the service gives it. Throws InputError "haply/ID: reason", also
+  /// if this program has it open already.
   explicit HaplyArm(const std::string& id);
   ~HaplyArm();
   HaplyArm(const HaplyArm&) = delete;
@@ -53,7 +55,7 @@ class HaplyArm {
  private:
   ArmReading heard(const std::string& text);
   ArmReading silent();
-  ArmReading gone(const std::string& words);
+  ArmReading gone(const std::string& words) const;
   void take(const haply::Message& message, const haply::Arm& arm);
   std::string fault() const;
   bool send(const DeviceWrench& wrench);
@@ -65,9 +67,11 @@ class HaplyArm {
   haply::Grip grip_;  ///< the same; an empty id: there is none
   DeviceWrench wanted_;
   DeviceClock::time_point next_{}, heard_{}, sent_{};
+  DeviceClock::time_point caught_up_{};  ///< when every message was answered
   DeviceClock::duration round_trip_{};
   DeviceClock::time_point answers_{};  ///< the sample that the wrench on its way answers
-  bool awaited_ = false;               ///< a message was sent and not answered
+  bool pushed_ = false;                ///< a force was told
+  int unanswered_ = 0;                 ///< messages
   int without_ = 0;                    ///< messages in a row that do not mention the arm
   int until_everything_ = 0;           ///< messages
 };

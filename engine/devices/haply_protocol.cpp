@@ -49,9 +49,10 @@ class Reader {
   }
   /// Whether the transform has a scale other than 1.
   std::optional<bool> scaled(const Json* transform) {
+    constexpr double rounding = 1e-6;
     const std::optional<Vec3> scale = vector(part(transform, "scale"));
     if (!scale) return {};
-    return *scale != Vec3::Ones();
+    return !((*scale - Vec3::Ones()).cwiseAbs().maxCoeff() <= rounding);
   }
 
   template <class Device>
@@ -74,11 +75,10 @@ class Reader {
     arm.position = vector(part(state, "cursor_position"));
     arm.calibrated = flag(part(status, "calibrated"));
     arm.powered = flag(part(status, "power_supply"));
-    // The mount is of the device, the transform of its place in a scene; either may scale.
-    for (const Json* transform : {part(config, "mount"), part(part(config, "mount"), "transform"),
-                                  part(state, "transform")})
-      if (const std::optional<bool> scale = scaled(transform))
-        arm.scaled = arm.scaled.value_or(false) || *scale;
+    const Json* const mount = part(config, "mount");
+    arm.mount_scaled = scaled(mount);
+    if (!arm.mount_scaled) arm.mount_scaled = scaled(part(mount, "transform"));
+    arm.place_scaled = scaled(part(state, "transform"));
     return arm;
   }
 
@@ -91,6 +91,8 @@ class Reader {
       if (const std::optional<bool> there = flag(part(status, key)))
         grip.ready = grip.ready.value_or(true) && *there;
     grip.buttons = buttons(part(state, "buttons"));
+    // One with a cable has a single one.
+    if (flag(part(state, "button")).value_or(false)) grip.buttons |= 1;
     return grip;
   }
 

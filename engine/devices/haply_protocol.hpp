@@ -22,7 +22,8 @@ struct Arm {
   std::optional<Vec3> position;      ///< of the cursor, m
   std::optional<bool> calibrated, powered;
   std::optional<std::string> basis;  ///< the order of the axes: "XYZ" is the service's own
-  std::optional<bool> scaled;        ///< lengths are not those of the hand
+  /// Lengths are not those of the hand: by its mount, or by its place in a scene.
+  std::optional<bool> mount_scaled, place_scaled;
 };
 
 /// What a message says of a VerseGrip, wired or not.

@@ -76,44 +76,53 @@ struct WithoutGaps {
 
 double change(const AxisResponse& r, std::size_t k) { return r.positions[k] - r.positions[k - 1]; }
 
-/// A logger without a new pose repeats the last one: the position is constant for some samples,
-/// while the steps before and after go the same way and are far larger than a step of the encoder,
-/// and than the slow end of a motion. The number of samples from k on that repeat the one before.
-std::size_t repeated(const AxisResponse& r, const PulseWindow& w, std::size_t k, double encoder) {
-  if (k < w.begin + 2 || change(r, k) != 0 || change(r, k - 1) == 0) return 0;
-  std::size_t end = k + 1;
-  while (end < w.end && change(r, end) == 0) ++end;
-  if (end >= w.end) return 0;
-  double most = 0;
-  for (std::size_t i = w.begin + 1; i < w.end; ++i) most = std::max(most, std::abs(change(r, i)));
-  const double before = change(r, k - 1), after = change(r, end);
-  const bool moves = before * after > 0 && std::min(std::abs(before), std::abs(after)) >
-                                               std::max(3 * encoder, 0.1 * most);
-  return moves ? end - k : 0;
-}
-
 /// What makes a sample unfit for use.
 struct Lateness {
+  double step;         ///< s, the sample time
   double gap;          ///< s: the command is not known over a longer one
   double encoder = 0;  ///< m | rad
   bool repeats_count = true;
 };
+
+/// The change to sample k, as far as it would be in one sample time.
+double pace(const AxisResponse& r, std::size_t k, double step) {
+  return change(r, k) * step / (r.times[k] - r.times[k - 1]);
+}
+
+/// A logger without a new pose repeats the last one: the position is constant for some samples,
+/// while the steps before and after go the same way and are far larger than a step of the encoder,
+/// and than the slow end of a motion. The number of samples from k on that repeat the one before,
+/// none if they last longer than a loop trusts a device: a handle may rest so long.
+std::size_t repeated(const AxisResponse& r, const PulseWindow& w, std::size_t k,
+                     const Lateness& late) {
+  if (k < w.begin + 2 || change(r, k) != 0 || change(r, k - 1) == 0) return 0;
+  std::size_t end = k + 1;
+  while (end < r.times.size() && change(r, end) == 0) ++end;
+  if (end == r.times.size() || r.times[end - 1] - r.times[k - 1] > longest_late_tick) return 0;
+  double most = 0;
+  for (std::size_t i = w.begin + 1; i < w.end; ++i)
+    most = std::max(most, std::abs(pace(r, i, late.step)));
+  const double before = pace(r, k - 1, late.step), after = pace(r, end, late.step);
+  const bool moves = before * after > 0 && std::min(std::abs(before), std::abs(after)) >
+                                               std::max(3 * late.encoder, 0.1 * most);
+  return moves ? std::min(end, w.end) - k : 0;
+}
 
 /// The first sample of a pulse, from the one before it to the one after, that comes too late, or
 /// that only repeats the previous one. If there is none: the size of the recording.
 std::size_t late_sample(const AxisResponse& r, const PulseWindow& w, const Lateness& late) {
   for (std::size_t k = std::max<std::size_t>(w.begin, 1); k <= w.end && k < r.times.size(); ++k) {
     if (r.times[k] - r.times[k - 1] > late.gap) return k;
-    if (late.repeats_count && repeated(r, w, k, late.encoder) == 1) return k;
+    if (late.repeats_count && repeated(r, w, k, late) == 1) return k;
   }
   return r.times.size();
 }
 
-std::vector<bool> repeats_of(const AxisResponse& r, const Windows& windows, double encoder) {
+std::vector<bool> repeats_of(const AxisResponse& r, const Windows& windows, const Lateness& late) {
   std::vector<bool> out(r.times.size(), false);
   for (const PulseWindow& w : windows)
     for (std::size_t k = w.begin; k < w.end; ++k)
-      std::fill_n(out.begin() + static_cast<std::ptrdiff_t>(k), repeated(r, w, k, encoder), true);
+      std::fill_n(out.begin() + static_cast<std::ptrdiff_t>(k), repeated(r, w, k, late), true);
   return out;
 }
 
@@ -219,10 +228,11 @@ IdentifiedAxis identified(AxisResponse r, const Windows& all, std::size_t axis, 
   const std::optional<Estimate> step = encoder_step(r.positions);
   const double encoder = step ? step->value : 0;
   const bool known = rows == Rows::all_logged;
-  const auto [whole, at_rest, gaps] = without_gaps(
-      r, all, {known ? longest_late_tick : longest_gap * sample_time, encoder, !known});
+  const Lateness late{sample_time, known ? longest_late_tick : longest_gap * sample_time, encoder,
+                      !known};
+  const auto [whole, at_rest, gaps] = without_gaps(r, all, late);
   r.at_rest = at_rest;
-  if (known) r.repeats = repeats_of(r, whole, encoder);
+  if (known) r.repeats = repeats_of(r, whole, late);
   check_pulses(r, whole);
   const double grain = std::max(encoder, grain_of_noise(r, whole));
   const Windows windows = telling(r, whole, grain, axis);

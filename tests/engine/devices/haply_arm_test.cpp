@@ -66,10 +66,11 @@ TEST_F(HaplyArms, its_pose_is_the_cursor_turned_as_the_grip) {
 
 TEST_F(HaplyArms, each_message_has_one_answer) {
   HaplyArm arm("049D");
-  for (int i = 0; i < 500; ++i) awaited(arm, Kind::pose);
+  std::uint64_t answers = 0;
+  for (int i = 0; i < 500; ++i) answers += arm.read().kind == Kind::nothing ? 0 : 1;
+  EXPECT_GT(answers, 100U);
   EXPECT_LE(standin.answered(), standin.asked());
-  EXPECT_GE(standin.asked(), 500U);
-  EXPECT_LE(standin.asked(), 501U) << "none is asked twice";
+  EXPECT_LE(standin.asked(), answers + 1) << "none is asked twice";
 }
 
 /// Reading and writing in turn, as fast as it goes, is still one message a millisecond.
@@ -82,7 +83,7 @@ TEST_F(HaplyArms, nobody_makes_it_ask_more_often) {
   }
   const std::chrono::duration<double, std::milli> passed = DeviceClock::now() - begin;
   EXPECT_GE(passed.count(), 199);
-  EXPECT_LE(standin.asked(), 202U);
+  EXPECT_LE(static_cast<double>(standin.asked()), passed.count() + 2);
 }
 
 TEST_F(HaplyArms, a_force_is_within_the_models_limit_and_none_where_it_is_no_number) {
@@ -98,6 +99,69 @@ TEST_F(HaplyArms, a_force_is_within_the_models_limit_and_none_where_it_is_no_num
   arm.write({{0, 0, 1}, {}}, false);
   exchange(arm);
   EXPECT_TRUE(standin.force().isZero(0));
+}
+
+/// The service reads nothing for a while, and then one message in 5 ms: what it answers first is
+/// old. There is a pose only where nothing is left to come.
+TEST_F(HaplyArms, answers_to_earlier_messages_are_no_poses) {
+  HaplyArm arm("049D");
+  awaited(arm, Kind::pose);
+  standin.behave(Manner::deaf);
+  for (int i = 0; i < 20; ++i) arm.read();
+  standin.behave(Manner::slow);
+  std::uint64_t others = 0;
+  ArmReading reading;
+  for (int i = 0; i < 20000 && reading.kind != Kind::pose; ++i) {
+    reading = arm.read();
+    others += reading.kind == Kind::fault ? 1 : 0;
+  }
+  EXPECT_GE(others, 3U);
+  EXPECT_EQ(standin.asked(), standin.answered()) << "nothing is left to come";
+}
+
+TEST_F(HaplyArms, a_program_opens_one_only_once) {
+  const HaplyArm arm("049D");
+  EXPECT_THAT(refusal([] { HaplyArm("049D"); }), HasSubstr("has it open already"));
+}
+
+/// Another program may hold it, and its force is nobody else's to end.
+TEST_F(HaplyArms, one_that_was_only_looked_at_was_told_nothing) {
+  { const HaplyArm arm("049D"); }
+  { const HaplyArm again("049D"); }
+  find_haply_service();
+  EXPECT_EQ(standin.asked(), 0U);
+}
+
+TEST_F(HaplyArms, one_of_a_model_that_is_not_told_gets_the_least_force) {
+  standin.set("/inverse3/0/config/type", "null");
+  EXPECT_EQ(HaplyArm("049D").identity().capabilities.max_force, 3);
+}
+
+/// The mount is told once in many messages: it is not forgotten meanwhile.
+TEST_F(HaplyArms, a_scaled_mount_never_gives_a_pose) {
+  standin.set("/inverse3/0/config/mount/scale/z", "2");
+  HaplyArm arm("049D");
+  for (int i = 0; i < 500; ++i) EXPECT_NE(arm.read().kind, Kind::pose) << i;
+}
+
+TEST_F(HaplyArms, a_grip_with_a_cable_and_one_that_comes_later_count) {
+  standin.set("/wireless_verse_grip", "[]");
+  HaplyArm arm("049D");
+  awaited(arm, Kind::pose);
+  standin.set("/verse_grip", R"([{"device_id": "7", "state": {"button": true, "hall": 1,
+      "orientation": {"w": 0, "x": 0, "y": 0, "z": 1}}}])");
+  ArmReading reading;
+  for (int i = 0; i < 20000 && reading.buttons == 0; ++i) reading = arm.read();
+  EXPECT_EQ(reading.buttons, 1U);
+  EXPECT_EQ(reading.X_BH.q.z(), 1);
+}
+
+TEST_F(HaplyArms, of_two_grips_the_one_that_is_awake_counts) {
+  standin.set("/wireless_verse_grip/0/status/awake", "false");
+  standin.set("/verse_grip", R"([{"device_id": "7", "status": {"connected": true},
+      "state": {"orientation": {"w": 0, "x": 1, "y": 0, "z": 0}}}])");
+  HaplyArm arm("049D");
+  EXPECT_EQ(awaited(arm, Kind::pose).X_BH.q.x(), 1);
 }
 
 TEST_F(HaplyArms, it_closes_with_its_force_off) {
@@ -127,7 +191,6 @@ TEST_F(HaplyArms, without_a_grip_it_does_not_turn) {
   standin.set("/wireless_verse_grip", "[]");
   HaplyArm arm("049D");
   EXPECT_EQ(arm.identity().name, "Haply Inverse3 without a VerseGrip");
-  EXPECT_EQ(arm.identity().capabilities.buttons, 0U);
   EXPECT_EQ(awaited(arm, Kind::pose).X_BH.q.coeffs(), Quat::Identity().coeffs());
 }
 
@@ -180,7 +243,7 @@ TEST_F(HaplyArms, what_keeps_it_from_being_used_is_said_and_passes) {
 TEST_F(HaplyArms, axes_in_another_order_are_set_to_ours) {
   standin.set("/inverse3/0/config/basis/permutation", "\"XZY\"");
   HaplyArm arm("049D");
-  EXPECT_EQ(arm.read().kind, Kind::pose);
+  awaited(arm, Kind::pose);
   standin.say(R"({"inverse3": [{"device_id": "049D", "config": {"basis": {"permutation": "XZY"}},
       "state": {"cursor_position": {"x": 0, "y": 0, "z": 0}}}]})");
   EXPECT_THAT(awaited(arm, Kind::fault).words, HasSubstr("in the order XZY"));
@@ -219,14 +282,10 @@ TEST_F(HaplyArms, a_service_that_is_silent_is_told_that_the_force_is_zero) {
   arm.write({{0, 0, 2}, {}}, true);
   exchange(arm);
   standin.behave(Manner::silent);
-  EXPECT_THAT(awaited(arm, Kind::fault).words, HasSubstr("does not answer"));
-  arm.read();
-  for (int i = 0; i < 20000 && !standin.until_zero(); ++i) std::this_thread::sleep_for(1ms);
+  until_said(arm, "does not answer");
+  for (int i = 0; i < 20000 && !standin.until_zero(); ++i) arm.read();
   EXPECT_TRUE(standin.force().isZero(0));
-  standin.behave(Manner::usual);
-  awaited(arm, Kind::pose);
-  standin.behave(Manner::silent);
-  EXPECT_THAT(awaited(arm, Kind::gone).words, HasSubstr("has not answered for 1 s"));
+  EXPECT_THAT(awaited(arm, Kind::gone).words, HasSubstr("has not answered for 0.1 s"));
 }
 
 TEST_F(HaplyArms, a_service_that_answers_late_gives_no_pose) {
@@ -245,6 +304,14 @@ TEST_F(HaplyArms, a_service_that_floods_or_closes_is_gone) {
     awaited(arm, Kind::pose);
     standin.behave(Manner::floods);
     EXPECT_THAT(awaited(arm, Kind::gone).words, HasSubstr("nobody asked for"));
+  }
+  {
+    standin.behave(Manner::usual);
+    HaplyArm arm("049D");
+    awaited(arm, Kind::pose);
+    standin.behave(Manner::pings);
+    until_said(arm, "does not answer");
+    standin.behave(Manner::usual);
   }
   standin.behave(Manner::usual);
   HaplyArm arm("049D");

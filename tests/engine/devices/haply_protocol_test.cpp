@@ -36,7 +36,8 @@ TEST(HaplyProtocol, the_first_message_says_what_is_connected) {
   EXPECT_EQ(arm.calibrated, true);
   EXPECT_EQ(arm.powered, true);
   EXPECT_EQ(arm.basis, "XYZ");
-  EXPECT_EQ(arm.scaled, false);
+  EXPECT_EQ(arm.mount_scaled, false);
+  EXPECT_FALSE(arm.place_scaled);
   ASSERT_EQ(message->grips.size(), 1U);
   const haply::Grip& grip = message->grips[0];
   EXPECT_EQ(grip.id, "61576");
@@ -52,21 +53,25 @@ TEST(HaplyProtocol, later_messages_leave_out_what_has_not_changed) {
   ASSERT_TRUE(message);
   ASSERT_EQ(message->arms.size(), 1U);
   EXPECT_EQ(message->arms[0].position, Vec3(1, 2, 3));
-  EXPECT_FALSE(message->arms[0].model || message->arms[0].calibrated || message->arms[0].scaled);
+  EXPECT_FALSE(message->arms[0].model || message->arms[0].calibrated ||
+               message->arms[0].mount_scaled);
   EXPECT_TRUE(message->grips.empty());
   EXPECT_TRUE(decode("{}"));
   EXPECT_TRUE(decode(R"({"inverse3": null})"));
 }
 
 TEST(HaplyProtocol, a_scale_of_the_mount_or_of_the_scene_is_seen) {
-  const auto scaled = [](const std::string& rest) {
-    return decode(R"({"inverse3": [{"device_id": "1", )" + rest + "}]}")->arms.at(0).scaled;
+  const auto arm = [](const std::string& rest) {
+    return decode(R"({"inverse3": [{"device_id": "1", )" + rest + "}]}")->arms.at(0);
   };
   const std::string two = R"({"scale": {"x": 1, "y": 1, "z": 2}})";
-  EXPECT_EQ(scaled(R"("config": {"mount": )" + two + "}"), true);
-  EXPECT_EQ(scaled(R"("config": {"mount": {"transform": )" + two + "}}"), true);
-  EXPECT_EQ(scaled(R"("state": {"transform": )" + two + "}"), true);
-  EXPECT_EQ(scaled(R"("state": {})"), std::nullopt);
+  const std::string one = R"({"scale": {"x": 1, "y": 1, "z": 1.0000000001}})";
+  EXPECT_EQ(arm(R"("config": {"mount": )" + two + "}").mount_scaled, true);
+  EXPECT_EQ(arm(R"("config": {"mount": {"transform": )" + two + "}}").mount_scaled, true);
+  EXPECT_EQ(arm(R"("config": {"mount": )" + one + "}").mount_scaled, false);
+  EXPECT_EQ(arm(R"("state": {"transform": )" + two + "}").place_scaled, true);
+  EXPECT_EQ(arm(R"("state": {"transform": )" + two + "}").mount_scaled, std::nullopt);
+  EXPECT_EQ(arm(R"("state": {})").place_scaled, std::nullopt);
 }
 
 TEST(HaplyProtocol, what_is_no_message_is_refused) {

@@ -55,13 +55,19 @@ TEST_F(HaplySafety, it_is_listed_opened_and_pushes_back) {
   EXPECT_EQ(list_devices().size(), 1U) << "listed while it is in use, too";
 }
 
+/// The zero comes by the connection that has the force, but for one that the service has closed, or
+/// by which it floods and reads nothing.
 TEST_F(HaplySafety, whatever_the_service_does_the_force_ends_and_rises_again) {
   for (const Manner manner : {Manner::silent, Manner::late, Manner::floods, Manner::closes}) {
     begin();
     press_in();
+    const int now = standin.connections_so_far();
     standin.behave(manner);
     ASSERT_TRUE(comes_true([&] { return standin.until_zero() && let_go(); }))
         << static_cast<int>(manner);
+    if (manner == Manner::silent || manner == Manner::late) {
+      EXPECT_EQ(standin.connection_of_zero(), now);
+    }
     EXPECT_TRUE(comes_true([&] { return loop->withheld() != Withheld::nothing; }));
     standin.behave(Manner::usual);
     EXPECT_TRUE(comes_true([&] { return pushed_back(); })) << static_cast<int>(manner);

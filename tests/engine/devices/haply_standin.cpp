@@ -68,6 +68,7 @@ struct HaplyStandin::State {
   std::string said, broken;
   Vec3 force = Vec3::Zero();
   std::uint64_t asked = 0, answered = 0;
+  int so_far = 0, zero_by = 0;  // connections
   std::list<tcp::socket*> open;
   bool stopping = false;
 
@@ -121,6 +122,7 @@ struct HaplyStandin::State {
   }
   void talk(WebSocket& web) {
     const Promptness prompt(true);
+    const int number = begun();
     web.accept();
     web.text(true);
     web.write(asio::buffer(answer(true)));
@@ -129,18 +131,25 @@ struct HaplyStandin::State {
       wait_while(Manner::deaf);
       buffer.clear();
       web.read(buffer);
-      const bool full = hear(beast::buffers_to_string(buffer.data()));
+      const bool full = hear(beast::buffers_to_string(buffer.data()), number);
       if (now() == Manner::closes) return web.close(beast::websocket::close_code::going_away);
       if (now() == Manner::silent) continue;
+      while (now() == Manner::pings && !ends()) web.ping({});
+      if (now() == Manner::pings) continue;
       if (now() == Manner::late) std::this_thread::sleep_for(30ms);
+      if (now() == Manner::slow) std::this_thread::sleep_for(5ms);
       const int times = now() == Manner::floods ? 1000 : 1;
       for (int i = 0; i < times; ++i) web.write(asio::buffer(answer(full)));
       const std::lock_guard lock(mutex);
       answered += static_cast<std::uint64_t>(times);
     }
   }
+  int begun() {
+    const std::lock_guard lock(mutex);
+    return ++so_far;
+  }
   /// Returns whether everything is asked for.
-  bool hear(const std::string& text) {
+  bool hear(const std::string& text, int number) {
     const std::lock_guard lock(mutex);
     ++asked;
     try {
@@ -150,7 +159,10 @@ struct HaplyStandin::State {
       if (arm.at("device_id") != "049D") throw std::runtime_error("for another arm");
       force = {values.at("x").get<double>(), values.at("y").get<double>(),
                values.at("z").get<double>()};
-      if (force.isZero(0) && !until_zero) until_zero = DeviceClock::now() - changed;
+      if (force.isZero(0) && !until_zero) {
+        until_zero = DeviceClock::now() - changed;
+        zero_by = number;
+      }
       const Json::json_pointer basis("/session/configure/basis/permutation");
       if (json.contains(basis)) all["inverse3"][0]["config"]["basis"]["permutation"] = json[basis];
       return json.contains("session") && json["session"].contains("force_render_full_state");
@@ -181,7 +193,7 @@ HaplyStandin::HaplyStandin() : state_(std::make_unique<State>()) {
 }
 
 HaplyStandin::~HaplyStandin() {
-  ::unsetenv("SONDE_HAPLY_PORT");
+  ::setenv("SONDE_HAPLY_PORT", "0", 1);
   {
     const std::lock_guard lock(state_->mutex);
     state_->stopping = true;
@@ -253,6 +265,16 @@ int HaplyStandin::connections() const {
 std::optional<DeviceClock::duration> HaplyStandin::until_zero() const {
   const std::lock_guard lock(state_->mutex);
   return state_->until_zero;
+}
+
+int HaplyStandin::connection_of_zero() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->zero_by;
+}
+
+int HaplyStandin::connections_so_far() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->so_far;
 }
 
 std::string HaplyStandin::broken() const {

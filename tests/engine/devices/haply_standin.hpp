@@ -21,6 +21,8 @@ class HaplyStandin {
     silent,  ///< reads, and does not answer
     deaf,    ///< neither reads nor answers
     late,    ///< answers after 30 ms
+    slow,    ///< answers after 5 ms
+    pings,   ///< asks without an end whether the other side is there, and does not answer
     floods,  ///< answers a thousand times
     closes,  ///< ends the connection
     mute,    ///< accepts the connection, and does not even shake hands
@@ -51,6 +53,9 @@ class HaplyStandin {
   int connections() const;         ///< that are open
   /// From when the manner changed to when a force of zero came; none: not yet.
   std::optional<DeviceClock::duration> until_zero() const;
+  /// The number of the connection that it came by, from 1.
+  int connection_of_zero() const;
+  int connections_so_far() const;
   std::string broken() const;  ///< the first rule of the protocol that was broken
 
  private:

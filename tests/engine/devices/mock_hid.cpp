@@ -12,6 +12,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <stdexcept>
@@ -128,6 +129,7 @@ struct MockSystem::State {
 };
 
 MockSystem::MockSystem() : state_(std::make_unique<State>()) {
+  ::setenv("SONDE_HAPLY_PORT", "0", 0);  // nor an arm of the machine, unless a test plays one
   state_->bed = umockdev_testbed_new();  // before the question: the first answer is kept
   if (!umockdev_in_mock_environment()) {
     g_object_unref(state_->bed);

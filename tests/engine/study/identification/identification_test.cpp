@@ -150,9 +150,9 @@ TEST(Identification, a_log_with_jitter_holds_the_truth) {
   for (const auto& [name, count] : inside) EXPECT_GE(count, 9) << name;
 }
 
-/// What a loop logs of a handle where one tick in fifty comes 2.6 to 8 ms late: commands are held
-/// meanwhile, and one pose in fifty is told twice, or three times, because the device's thread was
-/// late too.
+/// What a loop logs of a handle where one tick in fifty comes 2.6 to 8 ms late, or 15: commands are
+/// held meanwhile, and one pose in fifty is told twice, or three times, because the device's thread
+/// was late too.
 Response of_late_ticks(const TrueHandle& truth, const PulsePlan& plan, std::uint64_t seed) {
   constexpr double fine = 1e-4;  // s
   const std::vector<Wrench> commands = commands_of(plan);
@@ -176,7 +176,8 @@ Response of_late_ticks(const TrueHandle& truth, const PulsePlan& plan, std::uint
     }
     out.push_back(sample);
     const bool late = random.uniform(0, 1) < 0.02;
-    const int steps = late ? static_cast<int>(random.uniform(26, 80)) : 10;
+    const int some = random.uniform(0, 1) < 0.2 ? 150 : static_cast<int>(random.uniform(26, 80));
+    const int steps = late ? some : 10;
     for (int i = 0; i < steps; ++i) {
       const double now = fine * static_cast<double>(given.size());
       given.push_back(command.force.x());
@@ -199,7 +200,10 @@ TEST(Identification, late_ticks_of_a_loop_are_no_gaps) {
     EXPECT_EQ(found.axes[0].with_gaps, 0u);
     for (const Figure& f : figures(truth, found.axes[0])) {
       inside[f.name] += f.found.low <= f.truth && f.truth <= f.found.high ? 1 : 0;
-      EXPECT_NEAR(f.found.value, f.truth, 0.05 * std::max(f.truth, f.smallest)) << f.name;
+      // A pose told twice where the handle is slow does not show as such: it reads as a delay, by up
+      // to a tenth, within the interval.
+      const double share = std::string(f.name) == "delay" ? 0.1 : 0.05;
+      EXPECT_NEAR(f.found.value, f.truth, share * std::max(f.truth, f.smallest)) << f.name;
     }
   }
   for (const auto& [name, count] : inside) EXPECT_GE(count, 9) << name;
