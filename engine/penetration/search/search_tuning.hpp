@@ -48,8 +48,8 @@ struct SearchTuning {
   /// Share of the best depth: what is no further apart counts as one place. Ends on sketches are
   /// one local optimum, no start is made nearer to the best optimum or to the device pose, and no
   /// descent begins at a pose so near a known one. If it is larger, different optima are merged,
-  /// and the better one may not be tried. (Five numbers before, all 0.1: half or twice of each
-  /// changed no more than other seeds do.)
+  /// and the better one may not be tried. (Half or twice of it in any one of these uses changes no
+  /// more poses than another seed does.)
   double same_place = 0.1;
   /// Number of starts from the nearest free poses, before some are made near the best depth and the
   /// best ends.
