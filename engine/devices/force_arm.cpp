@@ -127,7 +127,9 @@ void look_for_haply(Arms& all, std::vector<HidInfo>& found) {
 }
 
 VendorLibraryListing listing_of_haply() {
-  const HaplyService service = find_haply_service();
+  HaplyService service = find_haply_service();
+  if (!service.answers)
+    service.reason += "; it comes with Haply Hub (haply.co), and SONDE_HAPLY_PORT names its port";
   return {.name = "Inverse Service",
           .maker = "Haply",
           .path = service.address,

@@ -144,11 +144,11 @@ HaplyArm::HaplyArm(const std::string& id) : id_(id) {
     if (found == all.arms.end()) throw InputError("the service knows no arm of this id");
     arm_ = *found;
     take(all, *found);
+    identity_ = haply_identity_of(arm_, !grip_.id.empty());
   } catch (const std::exception& error) {
     open_haply_arms().remove(id);
     throw InputError::in(path, error.what());
   }
-  identity_ = haply_identity_of(arm_, !grip_.id.empty());
   next_ = heard_ = caught_up_ = DeviceClock::now();
 }
 

@@ -126,7 +126,7 @@ TEST_F(Devices, an_arm_is_listed_with_its_librarys_version) {
 TEST_F(Devices, an_arm_of_haply_is_listed_with_its_service) {
   const std::string missing = devices(folder, "", "", "").out;
   EXPECT_THAT(missing, HasSubstr("Inverse Service (Haply): ws://127.0.0.1:"));
-  EXPECT_THAT(missing, HasSubstr("efused"));
+  EXPECT_THAT(missing, HasSubstr("efused; it comes with Haply Hub"));
   const HaplyStandin standin;
   const Outcome text = devices(folder, "", "", "");
   EXPECT_THAT(text.out, HasSubstr("haply/049D  0000:0000  Haply Inverse3 (force arm)\n  opens: "

@@ -200,8 +200,8 @@ TEST(Identification, late_ticks_of_a_loop_are_no_gaps) {
     EXPECT_EQ(found.axes[0].with_gaps, 0u);
     for (const Figure& f : figures(truth, found.axes[0])) {
       inside[f.name] += f.found.low <= f.truth && f.truth <= f.found.high ? 1 : 0;
-      // A pose told twice where the handle is slow does not show as such: it reads as a delay, by up
-      // to a tenth, within the interval.
+      // A pose told twice where the handle is slow does not show as such: it reads as a delay, by
+      // up to a tenth, within the interval.
       const double share = std::string(f.name) == "delay" ? 0.1 : 0.05;
       EXPECT_NEAR(f.found.value, f.truth, share * std::max(f.truth, f.smallest)) << f.name;
     }
