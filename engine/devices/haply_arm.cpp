@@ -156,10 +156,11 @@ HaplyArm::~HaplyArm() {
   try {
     // The force's end is on its way before the connection ends. Where no force was told, nothing is
     // said: another program may hold the arm.
-    const auto until = DeviceClock::now() + silent_after;
-    socket_->flush(until);
+    socket_->flush(DeviceClock::now() + silent_after);
     if (pushed_) send({});
-    socket_->flush(until);
+    // A socket that closes with something unread may take back what it sent (Linux keeps it).
+    const auto until = DeviceClock::now() + gone_after;
+    while (pushed_ && unanswered_ > 0 && socket_->receive(until)) --unanswered_;
   } catch (const std::exception&) {
     // The connection ends all the same.
   }
@@ -186,6 +187,7 @@ bool HaplyArm::send(const DeviceWrench& wrench) {
     return false;
   answers_ = wrench.sampled;
   sent_ = DeviceClock::now();
+  if (unanswered_ == 0) asked_ = sent_;
   next_ = std::clamp(next_ + exchange_every, sent_, sent_ + exchange_every);
   pushed_ = pushed_ || !wrench.force.isZero(0);
   ++unanswered_;
@@ -205,12 +207,16 @@ ArmReading HaplyArm::read() {
   return gone("it sends messages that nobody asked for");
 }
 
+/// A service owes an answer only to what it was told: a thread that was held up asks later.
+DeviceClock::time_point HaplyArm::waits_since() const { return std::max(heard_, asked_); }
+
 /// No answer: without one for too long, the force is to end there too.
 ArmReading HaplyArm::silent() {
   if (!socket_->ended().empty()) return gone(socket_->ended());
   const auto now = DeviceClock::now();
-  if (now - heard_ < silent_after) return {};
-  if (now - heard_ > gone_after) return gone("it has not answered for 0.1 s");
+  const auto silence = now - waits_since();
+  if (silence < silent_after) return {};
+  if (silence > gone_after) return gone("it has not answered for 0.1 s");
   if (now - sent_ >= silent_after && !send({}))
     return gone("it neither answers nor takes what it is told");
   return {.kind = ArmReading::Kind::fault, .words = "Haply's service does not answer"};
@@ -224,7 +230,7 @@ ArmReading HaplyArm::heard(const std::string& text) {
   const auto now = DeviceClock::now();
   // One that comes late says where the handle was, and that the force has been held. With others
   // still to come, it answers an earlier message.
-  const bool late = now - heard_ >= silent_after || unanswered_ > 0;
+  const bool late = now - waits_since() >= silent_after || unanswered_ > 0;
   round_trip_ = now - sent_;
   heard_ = now;
   if (unanswered_ == 0) caught_up_ = now;
@@ -261,16 +267,29 @@ void HaplyArm::take(const haply::Message& message, const haply::Arm& arm) {
   renew(arm_.basis, arm.basis);
   renew(arm_.mount_scaled, arm.mount_scaled);
   renew(arm_.place_scaled, arm.place_scaled);
-  if (grip_.id.empty() && !message.grips.empty()) {
-    const auto awake = [](const haply::Grip& grip) { return grip.ready.value_or(false); };
-    const auto best = std::ranges::find_if(message.grips, awake);
-    grip_.id = (best == message.grips.end() ? message.grips.front() : *best).id;
-  }
+  if (choose_grip(message.grips)) return;
   const auto grip = std::ranges::find(message.grips, grip_.id, &haply::Grip::id);
   grip_.orientation = grip == message.grips.end() ? std::nullopt : grip->orientation;
   if (grip == message.grips.end()) return;
   renew(grip_.ready, grip->ready);
   grip_.buttons = grip->buttons;
+}
+
+/// Follows another grip where there was none, or where the one that is followed is no longer
+/// mentioned, or sleeps beside one that is awake. Returns true if so: the handle seems to turn by a
+/// jump then, so this message gives no pose, and the force rises anew.
+bool HaplyArm::choose_grip(const std::vector<haply::Grip>& grips) {
+  const auto own = std::ranges::find(grips, grip_.id, &haply::Grip::id);
+  without_grip_ = own == grips.end() ? without_grip_ + 1 : 0;
+  const auto awake = std::ranges::find_if(
+      grips, [](const haply::Grip& grip) { return grip.ready.value_or(false); });
+  const bool sleeps = own != grips.end() && !own->ready.value_or(true);
+  const bool gone = grip_.id.empty() || without_grip_ > without_limit;
+  if (grips.empty() || !(gone || (sleeps && awake != grips.end()))) return false;
+  const haply::Grip& next = awake == grips.end() ? grips.front() : *awake;
+  grip_ = {.id = next.id, .orientation = {}, .ready = next.ready, .buttons = 0};
+  without_grip_ = 0;
+  return true;
 }
 
 /// Why the newest pose cannot be used; empty if it can.

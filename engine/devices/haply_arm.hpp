@@ -24,7 +24,8 @@ struct HaplyService {
 HaplyService find_haply_service();
 
 /// An open Inverse3 of Haply, by the Inverse Service; its VerseGrip, if there is one, gives the
-/// orientation and the buttons. Closes with the object, with its force off. It takes no torque.
+/// orientation and the buttons; of several, one that is awake. Closes with the object, with its
+/// force off. It takes no torque.
 ///
 /// The service answers each message with one, so the force goes out and the pose comes back once a
 /// millisecond. Without an answer for 10 ms the service is told that the force is zero; without one
@@ -56,7 +57,9 @@ class HaplyArm {
   ArmReading heard(const std::string& text);
   ArmReading silent();
   ArmReading gone(const std::string& words) const;
+  DeviceClock::time_point waits_since() const;
   void take(const haply::Message& message, const haply::Arm& arm);
+  bool choose_grip(const std::vector<haply::Grip>& grips);
   std::string fault() const;
   bool send(const DeviceWrench& wrench);
 
@@ -67,12 +70,14 @@ class HaplyArm {
   haply::Grip grip_;  ///< the same; an empty id: there is none
   DeviceWrench wanted_;
   DeviceClock::time_point next_{}, heard_{}, sent_{};
+  DeviceClock::time_point asked_{};      ///< when the oldest message without an answer went out
   DeviceClock::time_point caught_up_{};  ///< when every message was answered
   DeviceClock::duration round_trip_{};
   DeviceClock::time_point answers_{};  ///< the sample that the wrench on its way answers
   bool pushed_ = false;                ///< a force was told
   int unanswered_ = 0;                 ///< messages
   int without_ = 0;                    ///< messages in a row that do not mention the arm
+  int without_grip_ = 0;               ///< the same of its grip
   int until_everything_ = 0;           ///< messages
 };
 

@@ -84,9 +84,13 @@ struct Lateness {
   bool repeats_count = true;
 };
 
-/// The change to sample k, as far as it would be in one sample time.
+/// The change to sample k, as far as it would be in one sample time: it took as long as the
+/// position before it was told.
 double pace(const AxisResponse& r, std::size_t k, double step) {
-  return change(r, k) * step / (r.times[k] - r.times[k - 1]);
+  std::size_t since = k - 1;
+  while (since > 0 && change(r, since) == 0 && r.times[k] - r.times[since] < longest_late_tick)
+    --since;
+  return change(r, k) * step / (r.times[k] - r.times[since]);
 }
 
 /// A logger without a new pose repeats the last one: the position is constant for some samples,
@@ -105,7 +109,7 @@ std::size_t repeated(const AxisResponse& r, const PulseWindow& w, std::size_t k,
   const double before = pace(r, k - 1, late.step), after = pace(r, end, late.step);
   const bool moves = before * after > 0 && std::min(std::abs(before), std::abs(after)) >
                                                std::max(3 * late.encoder, 0.1 * most);
-  return moves ? std::min(end, w.end) - k : 0;
+  return moves ? end - k : 0;
 }
 
 /// The first sample of a pulse, from the one before it to the one after, that comes too late, or
@@ -113,7 +117,7 @@ std::size_t repeated(const AxisResponse& r, const PulseWindow& w, std::size_t k,
 std::size_t late_sample(const AxisResponse& r, const PulseWindow& w, const Lateness& late) {
   for (std::size_t k = std::max<std::size_t>(w.begin, 1); k <= w.end && k < r.times.size(); ++k) {
     if (r.times[k] - r.times[k - 1] > late.gap) return k;
-    if (late.repeats_count && repeated(r, w, k, late) == 1) return k;
+    if (late.repeats_count && k < w.end && repeated(r, w, k, late) == 1) return k;
   }
   return r.times.size();
 }
@@ -122,7 +126,8 @@ std::vector<bool> repeats_of(const AxisResponse& r, const Windows& windows, cons
   std::vector<bool> out(r.times.size(), false);
   for (const PulseWindow& w : windows)
     for (std::size_t k = w.begin; k < w.end; ++k)
-      std::fill_n(out.begin() + static_cast<std::ptrdiff_t>(k), repeated(r, w, k, late), true);
+      std::fill_n(out.begin() + static_cast<std::ptrdiff_t>(k),
+                  std::min(repeated(r, w, k, late), w.end - k), true);
   return out;
 }
 

@@ -164,16 +164,56 @@ TEST_F(HaplyArms, of_two_grips_the_one_that_is_awake_counts) {
   EXPECT_EQ(awaited(arm, Kind::pose).X_BH.q.x(), 1);
 }
 
-TEST_F(HaplyArms, it_closes_with_its_force_off) {
-  {
+/// As where it falls asleep, or is swapped for another: first no pose, for the handle did not turn.
+TEST_F(HaplyArms, another_grip_takes_over) {
+  const std::string other = R"([{"device_id": "7", "status": {"connected": true},
+      "state": {"orientation": {"w": 0, "x": 1, "y": 0, "z": 0}}}])";
+  for (const auto& [place, value] : {std::pair("/wireless_verse_grip/0/status/awake", "false"),
+                                     std::pair("/wireless_verse_grip", "[]")}) {
     HaplyArm arm("049D");
-    arm.write({{0, 0, 2}, {}}, true);
-    exchange(arm);
-    EXPECT_EQ(standin.force(), Vec3(0, 0, 2));
+    EXPECT_EQ(awaited(arm, Kind::pose).X_BH.q.x(), 0);
+    standin.set("/verse_grip", other);
+    standin.set(place, value);
+    EXPECT_EQ(awaited(arm, Kind::fault).kind, Kind::fault) << place;
+    EXPECT_EQ(awaited(arm, Kind::pose).X_BH.q.x(), 1) << place;
+    standin.set("/verse_grip", "[]");
+    if (place == std::string("/wireless_verse_grip")) continue;
+    standin.set(place, "true");
+    awaited(arm, Kind::fault);
+    EXPECT_EQ(awaited(arm, Kind::pose).X_BH.q.x(), 0) << "and back";
   }
-  EXPECT_EQ(HaplyArm::open(), 0);
-  for (int i = 0; i < 20000 && !standin.force().isZero(0); ++i) std::this_thread::sleep_for(1ms);
-  EXPECT_TRUE(standin.force().isZero(0));
+}
+
+/// The slow service reads the zero only after it has answered the message before.
+TEST_F(HaplyArms, it_closes_with_its_force_off) {
+  for (const Manner manner : {Manner::usual, Manner::slow}) {
+    {
+      HaplyArm arm("049D");
+      arm.write({{0, 0, 2}, {}}, true);
+      exchange(arm);
+      EXPECT_EQ(standin.force(), Vec3(0, 0, 2));
+      standin.behave(manner);
+      arm.write({{0, 0, 1}, {}}, true);
+    }
+    EXPECT_EQ(HaplyArm::open(), 0);
+    for (int i = 0; i < 20000 && !standin.force().isZero(0); ++i) std::this_thread::sleep_for(1ms);
+    EXPECT_TRUE(standin.force().isZero(0));
+    standin.behave(Manner::usual);
+  }
+}
+
+/// Its own thread's delay is no silence of the service.
+TEST_F(HaplyArms, who_asks_late_is_not_answered_late) {
+  HaplyArm arm("049D");
+  int poses = 0;
+  for (int i = 0; i < 5; ++i) {
+    awaited(arm, Kind::pose);
+    std::this_thread::sleep_for(50ms);
+    ArmReading reading;
+    while (reading.kind == Kind::nothing) reading = arm.read();
+    poses += reading.kind == Kind::pose ? 1 : 0;
+  }
+  EXPECT_GT(poses, 0) << "the machine may be slow, but not each time";
 }
 
 TEST_F(HaplyArms, the_models_are_told_apart) {

@@ -209,6 +209,29 @@ TEST(Identification, late_ticks_of_a_loop_are_no_gaps) {
   for (const auto& [name, count] : inside) EXPECT_GE(count, 9) << name;
 }
 
+/// As from a device's thread that stands still for 12 ms: from its last pose before that to its
+/// next, twelve sample times of motion show as one change.
+TEST(Identification, a_pose_that_is_told_for_long_is_left_out) {
+  const TrueHandle truth{0.1, 0.4, 0.1, 1e-3, 1e-5};
+  const PulsePlan plan = plan_along(0, device_of_mass(0.1));
+  Response response = test::answer(truth, plan, 0);
+  const Response whole = response;
+  std::size_t begin = plan.rest;
+  for (const Pulse& pulse : plan.pulses) {
+    for (std::size_t k = begin + pulse.part - 12; k < begin + pulse.part; ++k)
+      response[k].X_BH = response[k - 1].X_BH;  // the handle is fast there, and does not turn back
+    begin += 4 * pulse.part + plan.rest;
+  }
+  const Identification found = identify(response, Rows::all_logged);
+  EXPECT_EQ(found.axes.at(0).pulses, plan.pulses.size());
+  const auto right = figures(truth, identify(whole, Rows::all_logged).axes.at(0));
+  const auto mended = figures(truth, found.axes.at(0));
+  for (std::size_t i = 0; i < right.size(); ++i)
+    EXPECT_NEAR(mended[i].found.value, right[i].found.value,
+                0.02 * std::max(right[i].truth, right[i].smallest))
+        << right[i].name;
+}
+
 /// Longer than the loop trusts a device: what was commanded then is not known.
 TEST(Identification, a_gap_that_no_loop_makes_is_one_in_every_log) {
   const TrueHandle truth{0.1, 0.4, 0.1, 1e-3, 1e-5};
