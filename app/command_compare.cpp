@@ -83,8 +83,10 @@ Command add_compare_command(CLI::App& program) {
   parser->add_option("--seed", options->seed, "seed of the searches' random starts")
       ->check(check_whole)
       ->capture_default_str();
-  parser->add_option("--coupling", options->coupling_mode, "object: one stiffness k; classic")
-      ->check(CLI::IsMember({"object", "classic"}))
+  parser
+      ->add_option("--coupling", options->coupling_mode,
+                   "object: one stiffness k; classic; damped: object with b_t")
+      ->check(CLI::IsMember({"object", "classic", "damped"}))
       ->group("Settings that replace the scene's");
   add_setting_flags(*parser, coupling_settings(), options->coupling);
   return {parser, [options] { run(*options); }};

@@ -84,7 +84,10 @@ std::string subject_of(const IdentifyOptions& options) {
 Identification identified(const IdentifyOptions& options, const Response& response) {
   try {
     const bool all = !options.connected.empty() || options.all_rows;
-    return identify(response, all ? Rows::all_logged : Rows::maybe_missing);
+    ProgressLine line(false);
+    const Progress percent = line.percent("computing");
+    return identify(response, all ? Rows::all_logged : Rows::maybe_missing,
+                    [&](double fraction) { return percent(fraction) && !interrupt_noted(); });
   } catch (const InputError& error) {
     throw InputError::in(subject_of(options), error.what());
   }

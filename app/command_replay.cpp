@@ -85,7 +85,7 @@ Row row_of(const Snapshot& tick, double rate_hz, Released released) {
   row.push_back(tick.tick_us > 1e6 / rate_hz);
   row.push_back(s.jumped);
   row.push_back(s.converged);
-  if (released == Released::known && tick.coupling.mode == Coupling::Mode::object)
+  if (released == Released::known && in_object_norm(tick.coupling.mode))
     row.push_back(0.5 * tick.coupling.k * s.released);
   else
     append_nothing(row, 1);
@@ -184,7 +184,7 @@ void run_in_step(const Pair& pair, const Job& job, const SolverOptions& options,
 /// The wrench of a separation that belongs to no motion: nothing is damped.
 Wrench still_wrench(const Body& probe, const Separation& s, const Coupling& coupling) {
   if (s.status != Status::penetrating) return {};
-  const Wrench free = coupling.mode == Coupling::Mode::object
+  const Wrench free = in_object_norm(coupling.mode)
                           ? object_norm_wrench(probe.mass, s.device, s.separated, coupling.k)
                           : classic_wrench(separation_motion(probe.mass, s.device, s.separated),
                                            Vec3::Zero(), Vec3::Zero(), coupling);
@@ -342,8 +342,10 @@ Command add_replay_command(CLI::App& program) {
   add_flags(*parser, options->accuracy);
   add_flags(*parser, options->phases);
   add_flags(*parser, options->output);
-  parser->add_option("--coupling", options->coupling_mode, "object: one stiffness k; classic")
-      ->check(CLI::IsMember({"object", "classic"}))
+  parser
+      ->add_option("--coupling", options->coupling_mode,
+                   "object: one stiffness k; classic; damped: object with b_t")
+      ->check(CLI::IsMember({"object", "classic", "damped"}))
       ->group("Settings that replace the scene's");
   add_setting_flags(*parser, coupling_settings(), options->coupling);
   // The budgets of the table are the flags --budget-us and --budget-steps of every command.

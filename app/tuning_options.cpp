@@ -21,7 +21,7 @@ void add_flags(CLI::App& parser, TuningOptions& options) {
   parser.add_option("--trajectory", options.trajectory,
                     "take the contacts from this path (CSV t,px,py,pz,qw,qx,qy,qz)");
   parser.add_option("--coupling", options.coupling_mode, "mode to study; without it the scene's")
-      ->check(CLI::IsMember({"object", "classic"}));
+      ->check(CLI::IsMember({"object", "classic", "damped"}));
   parser.add_option("--method", options.method, "pdg: all six degrees; pdt: translation only")
       ->check(CLI::IsMember(method_names))
       ->capture_default_str();
@@ -49,17 +49,21 @@ TuningRequest request_of(const Scene& scene, const TuningOptions& options, const
 }
 
 void note_gains(const Coupling& gains, const DeviceProfile& device, const MassProperties& mass) {
-  const Coupling taken =
-      borne(gains, {device.max_stiffness.value, device.max_rotational_stiffness.value}, mass);
+  const Coupling taken = borne(gains,
+                               {device.max_stiffness.value, device.max_rotational_stiffness.value,
+                                device.max_damping.value, device.max_rotational_damping.value},
+                               mass);
   const auto note = [&](const char* key, double wanted, double most, const char* unit) {
     if (most < wanted)
       std::cerr << "sonde: the scene's " << key << " of " << number_text(wanted, 3) << ' ' << unit
                 << " is more than " << printable(device.name) << " bears: there it is rendered as "
                 << number_text(most, 3) << ' ' << unit << "\n";
   };
-  if (gains.mode == Coupling::Mode::object) return note("k", gains.k, taken.k, "N/m");
+  if (gains.mode != Coupling::Mode::object) note("b_t", gains.b_t, taken.b_t, "N·s/m");
+  if (in_object_norm(gains.mode)) return note("k", gains.k, taken.k, "N/m");
   note("k_t", gains.k_t, taken.k_t, "N/m");
   note("k_r", gains.k_r, taken.k_r, "N·m/rad");
+  note("b_r", gains.b_r, taken.b_r, "N·m·s/rad");
 }
 
 void note_skipped(const Study& study) {

@@ -147,7 +147,7 @@ const std::array ticks{
     Column<Snapshot>{
         "mode", "", Stored::u8,
         [](const Snapshot& r) { return static_cast<double>(r.coupling.mode); },
-        [](Snapshot& r, double x) { r.coupling.mode = one_of(x, Coupling::Mode::classic); }},
+        [](Snapshot& r, double x) { r.coupling.mode = one_of(x, Coupling::Mode::damped); }},
     of_tick(
         "k", "N/m", Stored::f64, [](auto& r) -> auto& { return r.coupling.k; }),
     of_tick(

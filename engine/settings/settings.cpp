@@ -36,14 +36,14 @@ constexpr Row<Coupling> gain(Setting setting) {
 constexpr std::array coupling_rows{
     gain<&Coupling::k>({"k", "Stiffness", "N/m", 1, 1e5, 0, true,
         "Object-norm stiffness: the energy is half of k times the mean squared displacement.",
-        false, "object"}),
+        false, "object damped"}),
     gain<&Coupling::k_t>({"k_t", "Translational stiffness", "N/m", 1, 1e5, 0, true,
         "Force for each metre between the device and the separated pose.", false, "classic"}),
     gain<&Coupling::k_r>({"k_r", "Rotational stiffness", "N·m/rad", 1e-3, 100, 0, true,
         "Torque for each radian between the device and the separated pose.", false, "classic"}),
     gain<&Coupling::b_t>({"b_t", "Translational damping", "N·s/m", 0, 100, 0, false,
         "Force for each m/s at which the separation grows; free motion is not damped.",
-        false, "classic"}),
+        false, "classic damped"}),
     gain<&Coupling::b_r>({"b_r", "Rotational damping", "N·m·s/rad", 0, 1, 0, false,
         "Torque for each rad/s at which the separation turns; free motion is not damped.",
         false, "classic"}),
@@ -55,9 +55,10 @@ constexpr std::array coupling_rows{
         false, ""}),
 };
 
-constexpr std::array<Choice, 2> modes{{
+constexpr std::array<Choice, 3> modes{{
     {"object", "Object norm", "One stiffness k, force and torque from the same energy."},
     {"classic", "Classic", "A spring and damper for translation, another for rotation."},
+    {"damped", "Damped", "Object norm, with one damper b_t for the rate of the whole separation."},
 }};
 
 constexpr std::array<Row<ServoSettings>, 9> servo_rows{{
@@ -236,6 +237,11 @@ std::optional<std::size_t> place_of(std::span<const Choice> choices, std::string
   const auto found = std::ranges::find(choices, name, &Choice::key);
   if (found == choices.end()) return std::nullopt;
   return static_cast<std::size_t>(found - choices.begin());
+}
+
+bool is_used(const Setting& setting, Coupling::Mode mode) {
+  const std::string_view all = setting.coupling_modes;  // no name is a part of another
+  return all.empty() || all.find(name_of(mode)) != std::string_view::npos;
 }
 
 const char* name_of(Coupling::Mode mode) { return modes[static_cast<std::size_t>(mode)].key; }

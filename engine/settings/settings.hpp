@@ -25,7 +25,7 @@ struct Setting {
   bool logarithmic;  ///< the scale of a slider; its minimum is then above zero
   const char* doc;   ///< one line: tooltip and help
   bool integer = false;
-  const char* coupling_mode = "";  ///< used in this coupling mode only; "" in every mode
+  const char* coupling_modes = "";  ///< those that use it, with spaces between; "": all
 };
 
 /// One value of a setting that is a choice.
@@ -53,6 +53,8 @@ std::span<const Choice> device_frames();
 /// The six axes, in the order of SixAxes: x, y, z, rx, ry, rz.
 std::span<const Choice> device_axes();
 
+/// Whether a coupling of that mode uses the setting.
+bool is_used(const Setting& setting, Coupling::Mode mode);
 /// The setting of that key; null where there is none.
 const Setting* find_setting(std::span<const Setting> settings, std::string_view key);
 

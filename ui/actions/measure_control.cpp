@@ -40,7 +40,9 @@ MeasureControl::MeasureControl(DeviceControl& devices,
       prompts_(prompts),
       window_(window),
       job_(&window) {
-  job_.watched = [](double) {};
+  job_.watched = [this](double fraction) {
+    if (dialog_) dialog_->show_computing(fraction);
+  };
   connect(&timer_, &QTimer::timeout, this, [this] { look(); });
 }
 
@@ -127,11 +129,14 @@ void MeasureControl::look() {
 }
 
 void MeasureControl::compute(const Response& response) {
-  dialog_->show_computing();
+  dialog_->show_computing(0);
   const auto found = std::make_shared<Identification>();
   found_ = found;
   job_.start(
-      {}, [found, response](const Progress&) { *found = identify(response, Rows::all_logged); },
+      {},
+      [found, response](const Progress& progress) {
+        *found = identify(response, Rows::all_logged, progress);
+      },
       [this](const std::exception_ptr& error) { take(error); });
 }
 

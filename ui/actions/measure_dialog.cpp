@@ -262,9 +262,10 @@ void MeasureDialog::show_progress(const PulsePlan& plan, const PulseProgress& pr
   pages_->setCurrentIndex(running);
 }
 
-void MeasureDialog::show_computing() {
+void MeasureDialog::show_computing(double fraction) {
   now_->setText(QStringLiteral("<p>The handle may be held again.</p><p>Computing …</p>"));
-  bar_->setRange(0, 0);
+  bar_->setRange(0, 100);
+  bar_->setValue(static_cast<int>(100 * fraction));
   pages_->setCurrentIndex(running);
 }
 

@@ -37,7 +37,7 @@ class MeasureDialog : public QDialog {
   /// Back to the consent, with the reason.
   void show_ended(const QString& reason);
   void show_progress(const PulsePlan& plan, const PulseProgress& progress);
-  void show_computing();
+  void show_computing(double fraction);
   void show_result(const Identification& found, const DeviceProfile& before);
   /// `usable`: it can take the place of what holds the probe.
   void show_saved(const QString& file, bool usable);

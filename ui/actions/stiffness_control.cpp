@@ -25,9 +25,7 @@ Coupling with_recommended(Coupling gains, const TuningResults& results) {
   const Coupling recommended = recommended_coupling(results);
   gains.mode = recommended.mode;
   for (const Setting& setting : coupling_settings()) {
-    const std::string_view mode = setting.coupling_mode;
-    if (mode.empty() || mode == name_of(gains.mode))
-      set(gains, setting.key, get(recommended, setting.key));
+    if (is_used(setting, gains.mode)) set(gains, setting.key, get(recommended, setting.key));
   }
   return gains;
 }

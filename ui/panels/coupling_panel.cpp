@@ -147,10 +147,8 @@ void CouplingPanel::show_values() {
   const auto mode = static_cast<int>(coupling_.mode);
   modes_->button(mode)->setChecked(true);
   mode_doc_->setText(text(coupling_modes()[static_cast<std::size_t>(mode)].doc));
-  const std::string_view active = name_of(coupling_.mode);
   for (SliderRow* row : rows_) {
-    const std::string_view only = row->setting().coupling_mode;
-    row->setVisible(only.empty() || only == active);
+    row->setVisible(is_used(row->setting(), coupling_.mode));
     const double value = get(coupling_, row->setting().key);
     if (row->value() != value) row->set_value(value);
   }

@@ -28,6 +28,7 @@ namespace {
 
 QString words_of(GainAxis axis) {
   if (axis == GainAxis::object) return QStringLiteral("object norm");
+  if (axis == GainAxis::damped) return QStringLiteral("damped object norm");
   if (axis == GainAxis::together) return QStringLiteral("all gains together");
   if (axis == GainAxis::together_b_t) return QStringLiteral("all, b_t by itself");
   if (axis == GainAxis::together_b_r) return QStringLiteral("all, b_r by itself");
@@ -36,6 +37,8 @@ QString words_of(GainAxis axis) {
 
 QString words_of(const Coupling& gains) {
   if (gains.mode == Coupling::Mode::object) return QStringLiteral("k %1 N/m").arg(number(gains.k));
+  if (gains.mode == Coupling::Mode::damped)
+    return QStringLiteral("k %1 N/m\nb_t %2 N·s/m").arg(number(gains.k), number(gains.b_t));
   return QStringLiteral("k_t %1 N/m\nk_r %2 N·m/rad").arg(number(gains.k_t), number(gains.k_r));
 }
 
@@ -50,7 +53,7 @@ QString words_of(const Buzz& buzz) {
 QString gains_words(const Buzz& buzz) {
   if (buzz.waiting)
     return in_colour(colour::force, QStringLiteral("wait: unstable in this contact"));
-  if (buzz.capped) return in_colour(colour::force, QStringLiteral("as stiff as the device bears"));
+  if (buzz.capped) return in_colour(colour::force, QStringLiteral("as much as the device bears"));
   return QStringLiteral("as set");
 }
 

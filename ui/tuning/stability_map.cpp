@@ -121,6 +121,7 @@ StabilityMap stability_map(const TuningResults& results, GainAxis axis, const st
 
 MapPoint point_of(const Coupling& gains, GainAxis axis) {
   if (axis == GainAxis::object) return {gains.k, 0};
+  if (axis == GainAxis::damped) return {gains.k, gains.b_t};
   return {axis == GainAxis::rotation ? gains.k_r : gains.k_t,
           damps_turns(axis) ? gains.b_r : gains.b_t};
 }
@@ -138,16 +139,6 @@ QString stiffness_unit(GainAxis axis) {
 
 QString damping_unit(GainAxis axis) {
   return damps_turns(axis) ? QStringLiteral("N·m·s/rad") : QStringLiteral("N·s/m");
-}
-
-const char* stiffness_key(GainAxis axis) {
-  constexpr std::array keys{"k", "k_t", "k_t", "k_r", "k_t", "k_t"};
-  return keys.at(static_cast<std::size_t>(axis));
-}
-
-const char* damping_key(GainAxis axis) {
-  constexpr std::array keys{"", "b_t", "b_t", "b_r", "b_t", "b_r"};
-  return keys.at(static_cast<std::size_t>(axis));
 }
 
 }  // namespace sonde::ui

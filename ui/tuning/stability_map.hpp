@@ -51,9 +51,5 @@ std::vector<std::string> kinds_of(const TuningResults& results);
 /// "N/m", "N·m/rad"; "N·s/m", "N·m·s/rad".
 QString stiffness_unit(GainAxis axis);
 QString damping_unit(GainAxis axis);
-/// The setting whose value the stiffness is: "k", "k_t", "k_r".
-const char* stiffness_key(GainAxis axis);
-/// "b_t", "b_r"; of the one k, which has no damping, "".
-const char* damping_key(GainAxis axis);
 
 }  // namespace sonde::ui

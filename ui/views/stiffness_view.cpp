@@ -28,7 +28,7 @@ void StiffnessView::draw(const Frame& frame) {
   const Coupling& coupling = frame.snapshot.coupling;
   if (!frame.pair || now.status != Status::penetrating) return;
   const Vec3 com = now.device * frame.mass.com;
-  if (coupling.mode != Coupling::Mode::object)
+  if (!in_object_norm(coupling.mode))
     return label(com, QStringLiteral("felt stiffness: of the object norm only"), colour::stiffness);
   const WrenchDerivative derivative = wrench_derivative(*frame.pair, now);
   if (derivative.sides == WrenchDerivative::Sides::none)

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/haptics/coupling/coupling_wrench.hpp"
+#include "engine/haptics/coupling/object_damper.hpp"
 
 namespace sonde {
 
@@ -26,21 +27,27 @@ Wrench Coupler::wrench(const Separation& separation, double dt) noexcept {
     out = limit(free, blend_.now.max_force, blend_.now.max_torque);
   }
   motion_ = now;
+  device_ = separation.device;
   has_motion_ = true;
   return out;
 }
 
 Wrench Coupler::unlimited(const Coupling& coupling, const Separation& separation,
                           const SeparationMotion& now, double dt) const noexcept {
-  if (coupling.mode == Coupling::Mode::object)
-    return object_norm_wrench(mass_, separation.device, separation.separated, coupling.k);
-  return classic(coupling, now, separation.jumped ? 0 : dt);
+  const bool has_rates = has_motion_ && !separation.jumped && dt > 0 && std::isfinite(dt);
+  if (coupling.mode == Coupling::Mode::classic) return classic(coupling, now, has_rates ? dt : 0);
+  Wrench out = object_norm_wrench(mass_, separation.device, separation.separated, coupling.k);
+  if (coupling.mode == Coupling::Mode::object || !has_rates || coupling.b_t == 0) return out;
+  const Wrench damped = object_damper(mass_, method_, separation, device_, dt, coupling);
+  out.force += damped.force;
+  out.torque += damped.torque;
+  return out;
 }
 
 Wrench Coupler::classic(const Coupling& coupling, const SeparationMotion& now,
                         double dt) const noexcept {
   Vec3 t_rate = Vec3::Zero(), theta_rate = Vec3::Zero();
-  if (has_motion_ && dt > 0 && std::isfinite(dt)) {
+  if (dt > 0) {
     t_rate = (now.t - motion_.t) / dt;
     // Beyond half a turn the rotation vector continues on the opposite side; no motion caused that
     // change.

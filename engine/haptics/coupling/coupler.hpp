@@ -9,13 +9,15 @@
 namespace sonde {
 
 /// The coupling from tick to tick. It remembers the previous separation for the rates of the
-/// classic mode. The rates are backward differences of the separation, which is zero out of
-/// contact. There are none after a reset, a failed tick or a jump: the previous separation then
-/// belongs to another contact.
+/// dampers. The rates are backward differences: in the classic mode of the separation, which is
+/// zero out of contact; in the damped mode of the device's pose. There are none after a reset, a
+/// failed tick or a jump: the previous separation then belongs to another contact.
 class Coupler {
  public:
-  Coupler(const MassProperties& mass, const Coupling& coupling)
-      : mass_(mass), blend_{.now = coupling, .before = coupling} {}
+  /// The method is that of the separations.
+  explicit Coupler(const MassProperties& mass, const Coupling& coupling,
+                   Method method = Method::pdg)
+      : mass_(mass), method_(method), blend_{.now = coupling, .before = coupling} {}
 
   void set_coupling(const Coupling& coupling) noexcept {
     blend_ = {.now = coupling, .before = coupling};
@@ -35,9 +37,11 @@ class Coupler {
   Wrench classic(const Coupling& coupling, const SeparationMotion& now, double dt) const noexcept;
 
   MassProperties mass_;
+  Method method_;
   GainGlide::Blend blend_;
   SeparationMotion motion_;  ///< of the last tick
-  bool has_motion_ = false;  ///< `motion_` belongs to the same contact as the next separation
+  Pose device_;              ///< the same
+  bool has_motion_ = false;  ///< they belong to the same contact as the next separation
 };
 
 }  // namespace sonde

@@ -3,26 +3,32 @@
 
 #include "engine/geometry/chart.hpp"
 #include "engine/haptics/coupling/coupling.hpp"
+#include "engine/penetration/contact/separation.hpp"
 
 namespace sonde {
 
 /// A damper beside the spring of the object norm, with one coefficient b (N·s/m). The spring is the
 /// gradient of U = ½ k |y|², with y the coordinates of the separation (Chart). The damper is that
-/// of the Rayleigh function R = ½ b |ẏ|² with respect to the motion of the device (ẋ, ω), where ẏ =
-/// Y (ẋ, ω):
+/// of the Rayleigh function R = ½ b |ẏ|² with respect to the motion of the device V = (ẋ, ω), m/s
+/// and rad/s in the fixed frame, at the probe's centre of mass. With ẏ = Y V:
 ///
-///     (F, τ) = −b Yᵀ ẏ,   a power on the hand of −b |ẏ|²
+///     (F, τ) = −b Yᵀ Y V,   a power on the hand of −b |Y V|² ≤ 0
 ///
-/// So it dissipates energy, whatever the contact is like. A damping force b ẏ that ignores how Q
-/// follows the device, as in the classic coupling, adds energy where a contact bends away from the
-/// probe: there the separation turns faster than the device moves.
+/// Y is that of contacts as they are now, each a plane: ẏ is the least change that keeps them, as
+/// y is the least that separates. How a contact bends is left out, so on bent contacts R is that of
+/// another rate than the separation's own, but still dissipates, whatever the contact is like. (A
+/// force b ẏ without Yᵀ, with the measured ẏ, would not: it adds energy where a contact bends away
+/// from the probe, since the separation turns faster there than the device moves.)
 
-/// The matrix Y. Its rows are the components of y, its columns those of (ẋ, ω). `d_separated` is
-/// the derivative of Q with respect to O (WrenchDerivative).
-Mat6 separation_jacobian(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ,
-                         const Mat6& d_separated);
+/// The matrix Y: its rows are the components of y, its columns those of V. Zero out of contact. A
+/// direction in which contacts carry less than a thousandth of the load fades out of it, so that a
+/// contact that is taken or lost makes no step.
+Mat6 separation_jacobian(const MassProperties& mass, Method method,
+                         const Separation& separation) noexcept;
 
-/// The damper's wrench. `rate` is the exact ẏ, m/s, not a difference of samples.
-Wrench object_damper(const Mat6& jacobian, const Vec6& rate, double damping);
+/// The damper's wrench for the gains k and b_t, with the device at `before` dt (s) ago. It is
+/// lessened where the spring and it together would pull the probe into contact.
+Wrench object_damper(const MassProperties& mass, Method method, const Separation& separation,
+                     const Pose& before, double dt, const Coupling& coupling) noexcept;
 
 }  // namespace sonde

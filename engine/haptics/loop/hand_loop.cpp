@@ -28,7 +28,7 @@ HandLoop::HandLoop(const MassProperties& mass, Method method, const Coupling& co
       force_error_(settings.safety.force_error),
       fastest_{settings.safety.runaway_speed, settings.safety.runaway_turn},
       of_hand_(settings.safety.change_rate),
-      coupler_(mass, coupling),
+      coupler_(mass, coupling, method),
       passivity_(mass, settings.passivity, 1 / settings.rate_hz),
       runaway_(fastest_),
       gate_(settings.safety) {
@@ -78,7 +78,7 @@ bool HandLoop::unsettled(const Separation& found) const noexcept {
   if (found.converged || !(force_error_ > 0)) return false;
   // The part of y that the contacts do not hold is the possible error of the answer.
   const Coupling& c = coupler_.coupling();
-  const double stiffness = c.mode == Coupling::Mode::object ? c.k : c.k_t;
+  const double stiffness = in_object_norm(c.mode) ? c.k : c.k_t;
   return stiffness * found.residual * found.depth > force_error_;
 }
 
@@ -137,14 +137,16 @@ void HandLoop::set_slew(double dt) noexcept {
   constexpr double margin = 2;
   if (!(rate_.force > 0) || !(dt > 0)) return gate_.set_slew({});
   const Coupling& c = coupler_.coupling();
-  const bool object = c.mode == Coupling::Mode::object;
+  const bool object = in_object_norm(c.mode);
+  const double b_t = c.mode == Coupling::Mode::object ? 0 : c.b_t;
   const double largest = mass_.inertia.maxCoeff();
   const double per_turn = largest > 0 ? 1 / std::sqrt(largest) : 0;
   const double stiff = object ? c.k : c.k_t;
   const double turning = object ? c.k / (per_turn > 0 ? per_turn : 1) : c.k_r * per_turn;
+  const double turning_b = object ? b_t / (per_turn > 0 ? per_turn : 1) : c.b_r * per_turn;
   const double both = (way_ + way_before_) / dt;
-  ForceGate::Slew slew{margin * (stiff * way_ + (object ? 0 : c.b_t * both)) / dt,
-                       margin * (turning * way_ + (object ? 0 : c.b_r * per_turn * both)) / dt,
+  ForceGate::Slew slew{margin * (stiff * way_ + b_t * both) / dt,
+                       margin * (turning * way_ + turning_b * both) / dt,
                        out_.separation.status == Status::separated && !leapt_};
   slew.force = std::min(slew.force, most_force() / whole) + rate_.force;
   slew.torque = std::min(slew.torque, most_torque() / whole) + rate_.torque;
@@ -178,12 +180,10 @@ void HandLoop::set_coupling(const GainGlide::Blend& blend) noexcept {
   GainGlide::Blend taken = blend;
   out_.hand.capped = false;
   if (device_) {
-    const BorneStiffness most = borne_by_device(*device_);
+    const BorneGains most = borne_by_device(*device_);
     taken.now = borne(blend.now, most, mass_);
     taken.before = borne(blend.before, most, mass_);
-    const bool object = blend.now.mode == Coupling::Mode::object;
-    out_.hand.capped = object ? taken.now.k < blend.now.k
-                              : taken.now.k_t < blend.now.k_t || taken.now.k_r < blend.now.k_r;
+    out_.hand.capped = is_reduced(taken.now, blend.now);
   }
   coupler_.set_coupling(taken);
 }
@@ -199,8 +199,7 @@ double HandLoop::most_of_glide(const GainGlide& glide, double dt) noexcept {
     out_.hand.waiting = all < 1 && left <= 0;
   }
   const auto spring = [&](const Coupling& c) {
-    if (c.mode == Coupling::Mode::object)
-      return object_norm_wrench(mass_, s.device, s.separated, c.k);
+    if (in_object_norm(c.mode)) return object_norm_wrench(mass_, s.device, s.separated, c.k);
     return classic_wrench(separation_motion(mass_, s.device, s.separated), Vec3::Zero(),
                           Vec3::Zero(), c);
   };

@@ -17,7 +17,7 @@ struct HapticLoop::State {
   bool timed = false;
 
   State(const Pair& pair, Method m, const Coupling& coupling)
-      : solver(pair, m), method(m), coupler(pair.probe().mass, coupling) {}
+      : solver(pair, m), method(m), coupler(pair.probe().mass, coupling, m) {}
 };
 
 HapticLoop::HapticLoop(const Pair& pair, Method method, const Coupling& coupling)

@@ -21,7 +21,7 @@ class HapticLoop {
   /// separated pose. Allocates. Afterwards wrench() is that of this pose, without damping.
   void reset(const Pose& X_FM, const StaticOptions& options);
   void set_coupling(const Coupling& coupling) noexcept;
-  /// dt is the time since the last tick, s (for the rates of the classic mode, see Coupler); 0 if
+  /// dt is the time since the last tick, s (for the rates of the dampers, see Coupler); 0 if
   /// unknown, and then there is no damping. No allocation, lock, log, throw.
   void tick(const Pose& X_FM, double dt, const Budget& budget) noexcept;
   /// Whether a tick reports where its time went (Separation::phases), from the next one on.

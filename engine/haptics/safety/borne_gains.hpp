@@ -7,30 +7,34 @@
 
 namespace sonde {
 
-/// The largest stiffness that a device can hold, at the probe; 0: unknown.
-struct BorneStiffness {
-  double translation = 0;  ///< N/m
-  double rotation = 0;     ///< N·m/rad
+/// The largest gains that a device can hold, at the probe; 0: unknown.
+struct BorneGains {
+  double translation = 0;         ///< N/m
+  double rotation = 0;            ///< N·m/rad
+  double damping = 0;             ///< N·s/m, virtual
+  double rotational_damping = 0;  ///< N·m·s/rad
 };
 
-/// The stiffness that the device's maker states.
-BorneStiffness borne_by_device(const DeviceTraits& device) noexcept;
+/// Those that the device's maker states.
+BorneGains borne_by_device(const DeviceTraits& device) noexcept;
 
 /// The stiffness at which a sampled virtual wall rendered on this handle begins to oscillate along
 /// one axis, held by the lightest hand that a stability study considers: K (T/2 + t_d) = b, with b
 /// the damping of mechanism and hand. Translation and rotation are treated separately, so it is an
 /// estimate, and no replacement for a study. Unknown if the device's damping is unknown.
-BorneStiffness stable_by_estimate(const DeviceTraits& device, double sample_time) noexcept;
+BorneGains stable_by_estimate(const DeviceTraits& device, double sample_time) noexcept;
 
-/// The gains `wanted`, reduced so that no stiffness exceeds `most`. In the object norm, the
-/// stiffness felt in a rotation is up to 1.2 kÎ.
-Coupling borne(const Coupling& wanted, const BorneStiffness& most,
-               const MassProperties& mass) noexcept;
+/// The gains `wanted`, reduced so that no stiffness and no damping exceeds `most`. In the object
+/// norm, what is felt in a rotation is up to 1.2 kÎ, and of its damper 1.2 b_t Î.
+Coupling borne(const Coupling& wanted, const BorneGains& most, const MassProperties& mass) noexcept;
+
+/// Whether that reduced a gain that the mode uses.
+bool is_reduced(const Coupling& borne, const Coupling& wanted) noexcept;
 
 /// The share of the change from old gains to new ones that is allowed in all: as much as leaves
 /// every gain at or below the limit `most`, or at or below its old value. 1 if the change is from
 /// one mode to another.
-double share_of_way(const GainGlide& glide, const BorneStiffness& most,
+double share_of_way(const GainGlide& glide, const BorneGains& most,
                     const MassProperties& mass) noexcept;
 
 }  // namespace sonde

@@ -34,7 +34,7 @@ bool is_ball(const Body& body) {
 
 Wrench wrench_of(const RenderSetup& setup, const Pose& device, const Pose& separated) {
   const MassProperties& mass = setup.pair.probe().mass;
-  if (setup.coupling.mode == Coupling::Mode::object)
+  if (in_object_norm(setup.coupling.mode))
     return object_norm_wrench(mass, device, separated, setup.coupling.k);
   return classic_wrench(separation_motion(mass, device, separated), Vec3::Zero(), Vec3::Zero(),
                         setup.coupling);

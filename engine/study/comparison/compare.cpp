@@ -7,6 +7,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/body/body.hpp"
+#include "engine/settings/settings.hpp"
 
 namespace sonde {
 namespace {
@@ -18,11 +19,10 @@ constexpr std::size_t analytic_ticks = 24;
 
 Json about(const CompareSetup& setup) {
   const Coupling& c = setup.render.coupling;
-  const bool object = c.mode == Coupling::Mode::object;
   return {{"scene", setup.scene},
           {"inputs", Json::parse(setup.inputs)},
           {"coupling",
-           {{"mode", object ? "object" : "classic"},
+           {{"mode", name_of(c.mode)},
             {"k", c.k},
             {"k_t", c.k_t},
             {"k_r", c.k_r},

@@ -83,7 +83,9 @@ struct Residuals {
   double unit;  ///< m | rad
   /// Samples with a new command; empty: at the logged times.
   std::vector<std::size_t> changes = {};
-  double prior = 0;  ///< weight of the logged time
+  double prior = 0;        ///< weight of the logged time
+  Progress progress = {};  ///< called with `done` at each evaluation
+  double done = 0;
 
   int inputs() const { return static_cast<int>(parameter_count + std::ssize(changes)); }
   int values() const {
@@ -101,6 +103,7 @@ struct Residuals {
     return modelled_motion(handle_of(p, scale), *response, early);
   }
   int operator()(const VectorXd& p, VectorXd& out) const {
+    report(progress, done);
     const std::vector<double> modelled = modelled_by(p);
     Index at = 0;
     for (const PulseWindow& w : *windows) {
@@ -158,7 +161,8 @@ VectorXd solved(const Residuals& residuals, VectorXd p) {
 
 /// Starts from several values of friction and delay, because a start or a stop of the handle that
 /// the model lacks is a barrier between a start value and the solution.
-VectorXd best_solution(const Residuals& residuals) {
+VectorXd best_solution(Residuals& residuals) {
+  constexpr double share = 0.1;  // of a start: six take most of the time
   VectorXd best;
   double least = std::numeric_limits<double>::infinity();
   for (const double rubs : {0.1, 0.5, 1.0})
@@ -171,6 +175,7 @@ VectorXd best_solution(const Residuals& residuals) {
         least = left;
         best = p;
       }
+      residuals.done += share;
     }
   return best;
 }
@@ -347,7 +352,7 @@ double student_t_99(double degrees) {
 }
 
 HandleFit fit_handle(const AxisResponse& response, const std::vector<PulseWindow>& windows,
-                     double encoder_step) {
+                     double encoder_step, const Progress& progress) {
   if (windows.size() < 8) throw std::invalid_argument("fewer than eight pulses");
   const PulseWindow& largest = *std::ranges::max_element(windows, {}, &PulseWindow::amplitude);
   const double seen = first_inertia(response, largest);
@@ -356,7 +361,14 @@ HandleFit fit_handle(const AxisResponse& response, const std::vector<PulseWindow
   const double least = std::ranges::min_element(windows, {}, &PulseWindow::amplitude)->amplitude;
   const Scale scale{seen, seen / lasts, least / 2, std::max(first_delay(response, largest), sample),
                     least / 10};
-  Solution found{{&response, &windows, scale, motion_rms(response, windows)}, {}, {}, 1};
+  Solution found{{.response = &response,
+                  .windows = &windows,
+                  .scale = scale,
+                  .unit = motion_rms(response, windows),
+                  .progress = progress},
+                 {},
+                 {},
+                 1};
   found.p = best_solution(found.residuals);
   found.left = found.residuals.at(found.p);
   found.excess = excess_of(found.residuals, found.left, encoder_step);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "engine/base/progress.hpp"
 #include "engine/study/identification/estimate.hpp"
 #include "engine/study/identification/pulse_windows.hpp"
 
@@ -42,7 +43,7 @@ struct HandleFit {
 /// larger and of the smaller pulses, and of those of either sign. Throws std::invalid_argument if
 /// there are fewer than eight pulses, or if they cannot distinguish the parameters.
 HandleFit fit_handle(const AxisResponse& response, const std::vector<PulseWindow>& windows,
-                     double encoder_step);
+                     double encoder_step, const Progress& progress = {});
 
 /// Student's t that is exceeded in one case in a hundred (two-sided), for seven or more degrees of
 /// freedom: within 0.5 % (the expansion of Cornish and Fisher: Abramowitz and Stegun, 26.7.5).

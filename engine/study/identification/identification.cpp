@@ -229,7 +229,7 @@ Estimate largest_step(const AxisResponse& r, const Windows& windows, const Handl
 
 /// Throws std::invalid_argument, with the reason, if the pulses are not sufficient.
 IdentifiedAxis identified(AxisResponse r, const Windows& all, std::size_t axis, double sample_time,
-                          Rows rows) {
+                          Rows rows, const Progress& progress) {
   const std::optional<Estimate> step = encoder_step(r.positions);
   const double encoder = step ? step->value : 0;
   const bool known = rows == Rows::all_logged;
@@ -243,7 +243,7 @@ IdentifiedAxis identified(AxisResponse r, const Windows& all, std::size_t axis, 
   const Windows windows = telling(r, whole, grain, axis);
   check_amplitudes(windows, axis);
   IdentifiedAxis out{.axis = axis,
-                     .handle = fit_handle(r, windows, encoder),
+                     .handle = fit_handle(r, windows, encoder, progress),
                      .resolution = {},
                      .has_steps = step.has_value(),
                      .pulses = windows.size(),
@@ -289,7 +289,7 @@ void expect_any(const Identification& found) {
 
 }  // namespace
 
-Identification identify(const Response& response, Rows rows) {
+Identification identify(const Response& response, Rows rows, const Progress& progress) {
   if (response.empty()) throw InputError("the recording has no samples");
   Identification out;
   out.sample_time = median_step(response);
@@ -298,7 +298,9 @@ Identification identify(const Response& response, Rows rows) {
     const Windows windows = pulse_windows(r);
     if (windows.empty()) continue;
     try {
-      out.axes.push_back(identified(r, windows, axis, out.sample_time, rows));
+      const auto done = static_cast<double>(axis), all = static_cast<double>(axis_count);
+      out.axes.push_back(identified(r, windows, axis, out.sample_time, rows,
+                                    part_of(progress, done / all, (done + 1) / all)));
     } catch (const std::invalid_argument& reason) {
       out.refused.push_back({axis, reason.what()});
     }

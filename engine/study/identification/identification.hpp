@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/progress.hpp"
 #include "engine/study/identification/handle_fit.hpp"
 
 namespace sonde {
@@ -59,8 +60,9 @@ enum class Rows {
 /// pulses, a single amplitude, noise, another axis at the same time, gaps in time in all but a few,
 /// a hand on the handle or a stop in its way. If all rows were logged, a late one is no gap, up to
 /// 20 ms, and a position that is told twice is left out, not its pulse. Throws InputError, with the
-/// reasons, if no axis remains.
-Identification identify(const Response& response, Rows rows = Rows::maybe_missing);
+/// reasons, if no axis remains; Cancelled if the progress stops it.
+Identification identify(const Response& response, Rows rows = Rows::maybe_missing,
+                        const Progress& progress = {});
 
 /// "force along x", "torque about z".
 std::string name_of_axis(std::size_t axis);

@@ -85,7 +85,7 @@ constexpr std::array<const char*, width> names = {
 }  // namespace
 
 double stiffness_of(const Coupling& coupling) {
-  return coupling.mode == Coupling::Mode::object ? coupling.k : coupling.k_t;
+  return in_object_norm(coupling.mode) ? coupling.k : coupling.k_t;
 }
 
 Rendering render(const RenderSetup& setup, Method method, std::span<const TimedPose> path,

@@ -7,6 +7,7 @@
 #include "engine/body/body.hpp"
 #include "engine/geometry/rotation.hpp"
 #include "engine/haptics/coupling/coupling_wrench.hpp"
+#include "engine/haptics/coupling/object_damper.hpp"
 
 namespace sonde {
 
@@ -42,21 +43,35 @@ Wrench push_as_turned(const Wrench& push, const Vec3& phi) {
 
 Wrench spring_wrench(const MassProperties& mass, const Separation& s, const Coupling& coupling) {
   if (s.status != Status::penetrating) return {};
-  if (coupling.mode == Coupling::Mode::object)
+  if (in_object_norm(coupling.mode))
     return object_norm_wrench(mass, s.device, s.separated, coupling.k);
   return classic_wrench(separation_motion(mass, s.device, s.separated), Vec3::Zero(), Vec3::Zero(),
                         coupling);
 }
 
-Wrench commanded_wrench(const MassProperties& mass, const Separation& s,
-                        const std::optional<SeparationMotion>& before, double sample_time,
-                        const Coupling& coupling) {
-  Wrench spring = spring_wrench(mass, s, coupling);
-  const bool damped = coupling.mode == Coupling::Mode::classic && before && !s.jumped;
-  if (!damped || s.status != Status::penetrating) return spring;
+std::optional<LastSeparation> last_separation(const MassProperties& mass, const Separation& s) {
+  if (s.status == Status::failed) return std::nullopt;
+  if (s.status != Status::penetrating) return LastSeparation{{}, s.device};
+  return LastSeparation{separation_motion(mass, s.device, s.separated), s.device};
+}
+
+Wrench commanded_wrench(const ClosedLoopSetup& setup, const Separation& s,
+                        const std::optional<LastSeparation>& before) {
+  const MassProperties& mass = setup.pair.probe().mass;
+  const Coupling& coupling = setup.coupling;
+  const double T = setup.sample_time;
+  Wrench out = spring_wrench(mass, s, coupling);
+  if (coupling.mode == Coupling::Mode::object || !before || s.jumped) return out;
+  if (s.status != Status::penetrating) return out;
+  if (coupling.mode == Coupling::Mode::damped) {
+    const Wrench damper = object_damper(mass, setup.method, s, before->device, T, coupling);
+    out.force += damper.force;
+    out.torque += damper.torque;
+    return out;
+  }
   const SeparationMotion now = separation_motion(mass, s.device, s.separated);
-  return classic_wrench(now, (now.t - before->t) / sample_time,
-                        (now.theta - before->theta) / sample_time, coupling);
+  return classic_wrench(now, (now.t - before->motion.t) / T, (now.theta - before->motion.theta) / T,
+                        coupling);
 }
 
 double kinetic_energy(const SimulatedDeviceParameters& device, const HandleState& state) {

@@ -65,13 +65,20 @@ Wrench push_as_turned(const Wrench& push, const Vec3& phi);
 Wrench spring_wrench(const MassProperties& mass, const Separation& separation,
                      const Coupling& coupling);
 
-/// What a coupling commands, before limits: Hooke's law and its damper on the rate of the
+/// What the rates of dampers are taken from.
+struct LastSeparation {
+  SeparationMotion motion;  ///< zero out of contact
+  Pose device;
+};
+/// No value if the separation failed.
+std::optional<LastSeparation> last_separation(const MassProperties& mass,
+                                              const Separation& separation);
+
 /// The wrench that a coupling commands, before limits: Hooke's law and its damper on the rate of
-/// the separation. `before` is the separation a sample_time (s) earlier; if there is none, as out
-/// of contact or after a jump, the rate is zero.
-Wrench commanded_wrench(const MassProperties& mass, const Separation& separation,
-                        const std::optional<SeparationMotion>& before, double sample_time,
-                        const Coupling& coupling);
+/// the separation. `before` is the separation a sample time earlier; if there is none, or after a
+/// jump, the rate is zero.
+Wrench commanded_wrench(const ClosedLoopSetup& setup, const Separation& separation,
+                        const std::optional<LastSeparation>& before);
 
 /// Kinetic energy of the handle, J.
 double kinetic_energy(const SimulatedDeviceParameters& device, const HandleState& state);

@@ -9,6 +9,7 @@
 #include "engine/body/body.hpp"
 #include "engine/geometry/rotation.hpp"
 #include "engine/haptics/coupling/coupling_wrench.hpp"
+#include "engine/haptics/coupling/object_damper.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/penetration/sensitivity/feature_row.hpp"
 #include "engine/penetration/sensitivity/wrench_derivative.hpp"
@@ -55,6 +56,11 @@ Mat3 by_left_turn(const Vec3& theta) {
   return Mat3::Identity() - 0.5 * cross + second * cross * cross;
 }
 
+Mat6 felt_damper(const MassProperties& mass, Method method, const Separation& s) {
+  const Mat6 Y = separation_jacobian(mass, method, s);
+  return Y.transpose() * Y;
+}
+
 /// In closed form. No value if the answer fails, or if its derivative has more than one side.
 std::optional<FeltStiffness> in_closed_form(CoherentSolver& solver, const Pair& pair,
                                             const Pose& X_FO, const Pose& X_FQ) {
@@ -66,6 +72,7 @@ std::optional<FeltStiffness> in_closed_form(CoherentSolver& solver, const Pair& 
   const Vec3 theta = separation_motion(pair.probe().mass, s.device, s.separated).theta;
   FeltStiffness out;
   out.object = -d.d_wrench;
+  out.damper = felt_damper(pair.probe().mass, Method::pdg, s);
   out.classic = -d.d_separated;
   out.classic.topLeftCorner<3, 3>() += Mat3::Identity();
   out.classic.bottomRows<3>() =
@@ -95,7 +102,7 @@ double largest_ratio(const Mat3& A, const Mat3& B) {
 }  // namespace
 
 Mat6 FeltStiffness::stiffness(const Coupling& c) const {
-  if (c.mode == Coupling::Mode::object) return c.k * object;
+  if (in_object_norm(c.mode)) return c.k * object;
   Mat6 out = classic;
   out.topRows<3>() *= c.k_t;
   out.bottomRows<3>() *= c.k_r;
@@ -104,6 +111,7 @@ Mat6 FeltStiffness::stiffness(const Coupling& c) const {
 
 Mat6 FeltStiffness::damping(const Coupling& c) const {
   if (c.mode == Coupling::Mode::object) return Mat6::Zero();
+  if (c.mode == Coupling::Mode::damped) return c.b_t * damper;
   Mat6 out = classic;
   out.topRows<3>() *= c.b_t;
   out.bottomRows<3>() *= c.b_r;
@@ -130,6 +138,8 @@ std::optional<FeltStiffness> felt_stiffness(const Pair& pair, Method method, con
     out.object.col(i) = (behind->object - ahead->object) / (2 * size);
     out.classic.col(i) = (behind->classic - ahead->classic) / (2 * size);
   }
+  solver.reset(X_FQ);
+  out.damper = felt_damper(mass, method, solver.tick(X_FO));
   return out;
 }
 

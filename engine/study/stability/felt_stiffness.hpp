@@ -21,6 +21,8 @@ struct FeltStiffness {
   Mat6 object = Mat6::Zero();
   /// Classic: the same for the displacement t (upper rows) and the rotation vector θ (lower rows).
   Mat6 classic = Mat6::Zero();
+  /// Damped: of the damper of the object norm (object_damper.hpp), the force per velocity at b = 1.
+  Mat6 damper = Mat6::Zero();
 
   Mat6 stiffness(const Coupling& coupling) const;
   /// The factor of the device's velocity: zero for the object norm.

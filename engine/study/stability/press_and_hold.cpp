@@ -67,16 +67,11 @@ class Observer {
     count_breaks(mass, s, hooke);
     touched_ |= s.status == Status::penetrating;
     if (touched_) {
-      const Wrench commanded =
-          commanded_wrench(mass, s, before_, setup.sample_time, setup.coupling);
+      const Wrench commanded = commanded_wrench(setup, s, before_);
       force_.add(motors.force, commanded.force);
       torque_.add(motors.torque, commanded.torque);
     }
-    before_ = s.status == Status::failed
-                  ? std::nullopt
-                  : std::optional(s.status == Status::penetrating
-                                      ? separation_motion(mass, s.device, s.separated)
-                                      : SeparationMotion{});
+    before_ = last_separation(mass, s);
     if (tick == times_.first) hold_from_ = loop_.device().state().X_WD;
     if (tick >= times_.first) look_at_hold(tick, before, s, motors);
   }
@@ -150,7 +145,7 @@ class Observer {
   const Timetable& times_;
   HoldReport out_;
   Error force_, torque_;
-  std::optional<SeparationMotion> before_;
+  std::optional<LastSeparation> before_;
   std::vector<FeltTick> hold_;
   Pose hold_from_;
   double energy_[2] = {0, 0};

@@ -62,7 +62,7 @@ StableStiffness stable_stiffness(const RenderSetup& setup, Method method,
                           felt.stiffness(setup.coupling),
                           Mat6::Zero(),
                           felt.damping(setup.coupling),
-                          method == Method::pdg && setup.coupling.mode == Coupling::Mode::object};
+                          method == Method::pdg && in_object_norm(setup.coupling.mode)};
   };
   SituationOptions options;
   options.method = method;

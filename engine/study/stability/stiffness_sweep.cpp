@@ -5,12 +5,27 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <stdexcept>
+#include <string>
 
 #include "engine/base/elementary.hpp"
 #include "engine/base/error.hpp"
 
 namespace sonde {
 namespace {
+
+struct NamedAxis {
+  const char* name;
+  const char* stiffness;  // keys of settings
+  const char* damping;
+};
+// In the order of GainAxis.
+constexpr NamedAxis gain_axes[] = {
+    {"object", "k", ""},        {"together", "k_t", "b_t"},     {"translation", "k_t", "b_t"},
+    {"rotation", "k_r", "b_r"}, {"together_b_t", "k_t", "b_t"}, {"together_b_r", "k_t", "b_r"},
+    {"damped", "k", "b_t"},
+};
+const NamedAxis& named(GainAxis axis) { return gain_axes[static_cast<std::size_t>(axis)]; }
 
 using Fits = std::function<bool(const HoldReport&)>;
 
@@ -123,6 +138,7 @@ double error_of(const HoldReport& report, GainAxis axis) {
       return std::max(report.force_error, report.torque_error);
     case GainAxis::object:
     case GainAxis::translation:
+    case GainAxis::damped:
       break;
   }
   return report.force_error;
@@ -135,11 +151,19 @@ const char* name_of(HoldFault fault) {
   return names[static_cast<std::size_t>(fault)];
 }
 
-const char* name_of(GainAxis axis) {
-  constexpr std::array names{"object",   "together",     "translation",
-                             "rotation", "together_b_t", "together_b_r"};
-  return names[static_cast<std::size_t>(axis)];
+const char* name_of(GainAxis axis) { return named(axis).name; }
+const char* stiffness_key(GainAxis axis) { return named(axis).stiffness; }
+const char* damping_key(GainAxis axis) { return named(axis).damping; }
+
+GainAxis gain_axis_named(std::string_view name) {
+  const auto* const found =
+      std::ranges::find_if(gain_axes, [&](const NamedAxis& each) { return name == each.name; });
+  if (found == std::end(gain_axes))
+    throw std::invalid_argument("unknown name " + std::string(name));
+  return static_cast<GainAxis>(found - std::begin(gain_axes));
 }
+
+bool in_object_norm(GainAxis axis) { return axis == GainAxis::object || axis == GainAxis::damped; }
 
 bool is_joint(GainAxis axis) {
   return axis == GainAxis::together || axis == GainAxis::together_b_t ||

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "engine/study/parts/study_parts.hpp"
@@ -11,9 +12,17 @@
 namespace sonde {
 
 /// The gains that a sweep changes: the single k of the object norm; of the classic coupling, k_t
-/// with b_t, k_r with b_r, all four together, or both springs with only b_t or only b_r.
-enum class GainAxis { object, together, translation, rotation, together_b_t, together_b_r };
+/// with b_t, k_r with b_r, all four together, or both springs with only b_t or only b_r; of the
+/// damped object norm, k with b_t.
+enum class GainAxis { object, together, translation, rotation, together_b_t, together_b_r, damped };
 const char* name_of(GainAxis axis);
+/// Throws std::invalid_argument if no axis has that name.
+GainAxis gain_axis_named(std::string_view name);
+/// The keys of the settings that it changes: "k", "k_t" or "k_r"; "b_t", "b_r" or, undamped, "".
+const char* stiffness_key(GainAxis axis);
+const char* damping_key(GainAxis axis);
+/// Its spring is the single k of the object norm.
+bool in_object_norm(GainAxis axis);
 /// Both springs of the classic coupling, so that the result can be recommended.
 bool is_joint(GainAxis axis);
 /// Whether the damping is b_r, N·m·s/rad; otherwise it is b_t, N·s/m.

@@ -312,7 +312,7 @@ std::vector<DeviceCurves> device_curves(const TuningResults& results) {
                         "axis,stiffness,damping,rate_hardness,rise_time\n",
                         {"How hard a wall on the device feels", {}}};
   const Coupling gains = recommended_coupling(results);
-  const bool object = gains.mode == Coupling::Mode::object;
+  const bool object = in_object_norm(gains.mode);
   for (const Kind& kind : kinds_of(results)) {
     const bool turns = kind.step == std::string("rad");
     add_z_width(kind, width);
@@ -320,7 +320,7 @@ std::vector<DeviceCurves> device_curves(const TuningResults& results) {
     // The felt rotational stiffness depends on the probe, not only on k.
     if (turns && object) continue;
     const double stiffness = turns ? gains.k_r : object ? gains.k : gains.k_t;
-    const double damping = object ? 0 : turns ? gains.b_r : gains.b_t;
+    const double damping = turns ? gains.b_r : gains.b_t;
     if (!has_recommendation(results) || !(stiffness > 0)) continue;
     add_impedance(kind, stiffness, damping, impedance);
     add_hardness(kind, light_hand(kind, results.device.at("mass")), stiffness, damping, hardness);

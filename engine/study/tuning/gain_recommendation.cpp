@@ -46,9 +46,10 @@ void add_profile_limits(const TuningResults& results, const Lines& lines, const 
   Coupling at;
   at.b_t = at.b_r = 0;
   set_gains(at, axis, 0, damping, results.joint);
+  const bool damped = axis == GainAxis::damped;  // its damper is felt as its spring is
   for (const TuningLine* line : lines) {
     TuningResults::Felt felt = results.felt[line->situation];
-    if (axis != GainAxis::object) felt.rotation *= (joint ? results.joint.stiffness : 1) / per;
+    if (!in_object_norm(axis)) felt.rotation *= (joint ? results.joint.stiffness : 1) / per;
     const auto add = [&](const char* reason, double allowed, double felt_at_one) {
       if (felt_at_one > 0) limits.push_back({reason, allowed / felt_at_one, line->kind, ""});
     };
@@ -56,7 +57,7 @@ void add_profile_limits(const TuningResults& results, const Lines& lines, const 
       add("driver", device.at("max_stiffness"), felt.translation);
       add("resolution",
           resolved_stiffness(device.at("friction"), device.at("max_force"), device.at("resolution"),
-                             at.b_t, T),
+                             damped ? at.b_t * felt.translation : at.b_t, T),
           felt.translation);
     }
     if (axis != GainAxis::translation && device.at("max_torque") > 0) {
@@ -64,7 +65,8 @@ void add_profile_limits(const TuningResults& results, const Lines& lines, const 
         add("driver", device.at("max_rotational_stiffness"), felt.rotation);
       add("resolution",
           resolved_stiffness(device.at("rotational_friction"), device.at("max_torque"),
-                             device.at("rotational_resolution"), at.b_r, T),
+                             device.at("rotational_resolution"),
+                             damped ? at.b_t * felt.rotation : at.b_r, T),
           felt.rotation);
     }
   }
@@ -230,7 +232,7 @@ DampingRatios damping_ratios(const TuningResults& results, const AxisGains& gain
     return std::optional((found->second + damping) /
                          (2 * std::sqrt(stiffness * results.device.at(inertia))));
   };
-  return {ratio("damping", "mass", gains.axis == GainAxis::object ? c.k : c.k_t, c.b_t),
+  return {ratio("damping", "mass", in_object_norm(gains.axis) ? c.k : c.k_t, c.b_t),
           ratio("rotational_damping", "inertia", c.k_r, c.b_r)};
 }
 

@@ -53,7 +53,7 @@ SampledContact linear_contact(const TuningSetup& setup, GainAxis axis, double da
   set_gains(others, axis, 0, damping, setup.joint);
   return {setup.loop.device,    setup.loop.sample_time,
           felt.stiffness(own),  felt.stiffness(others),
-          felt.damping(others), axis == GainAxis::object && setup.loop.method == Method::pdg};
+          felt.damping(others), in_object_norm(axis) && setup.loop.method == Method::pdg};
 }
 
 Json json_of(const SweepPoint& point, GainAxis axis) {
@@ -231,6 +231,10 @@ void set_gains(Coupling& c, GainAxis axis, double stiffness, double damping,
   switch (axis) {
     case GainAxis::object:
       c.k = stiffness;
+      break;
+    case GainAxis::damped:
+      c.k = stiffness;
+      c.b_t = damping;
       break;
     case GainAxis::together:
     case GainAxis::together_b_t:

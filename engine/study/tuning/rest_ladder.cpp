@@ -121,13 +121,6 @@ Swing swing_of(const Json& json) {
           number("theory_stable")};
 }
 
-GainAxis axis_named(const std::string& name) {
-  for (const GainAxis axis : {GainAxis::object, GainAxis::together, GainAxis::translation,
-                              GainAxis::rotation, GainAxis::together_b_t, GainAxis::together_b_r})
-    if (name == name_of(axis)) return axis;
-  throw std::invalid_argument("unknown name " + name);
-}
-
 }  // namespace
 
 TuningSetup ladder_setup(const TuningPlan& plan, std::size_t situation, const HandGrip& hand) {
@@ -179,7 +172,7 @@ std::string to_json(const RestLadder& ladder) {
 RestLadder rest_ladder_of(const std::string& json) {
   const Json whole = Json::parse(json);
   RestLadder out{
-      axis_named(whole.at("axis").get<std::string>()), whole.at("damping").get<double>(), {}};
+      gain_axis_named(whole.at("axis").get<std::string>()), whole.at("damping").get<double>(), {}};
   for (const Json& each : whole.at("rungs")) {
     Rung rung{.stiffness = each.at("stiffness").get<double>(),
               .swing = {},

@@ -298,6 +298,7 @@ TuningSetup tuning_setup(const TuningRequest& request, const TuningSituation& si
 
 std::vector<GainAxis> axes_of(const TuningRequest& request) {
   if (request.coupling.mode == Coupling::Mode::object) return {GainAxis::object};
+  if (request.coupling.mode == Coupling::Mode::damped) return {GainAxis::damped};
   if (!(request.device.max_torque.value > 0)) return {GainAxis::translation};
   std::vector<GainAxis> out{GainAxis::together};
   if (request.device.max_damping.value > 0 && request.device.max_rotational_damping.value > 0)

@@ -75,8 +75,7 @@ std::vector<const TuningLine*> nominal_lines(const TuningResults& results, GainA
 
 const char* unit_of(GainAxis axis) { return axis == GainAxis::rotation ? "N·m/rad" : "N/m"; }
 std::string stiffness_label(GainAxis axis) {
-  constexpr std::array symbols{"k", "k_t", "k_t", "k_r", "k_t", "k_t"};
-  return std::string("stiffness ") + symbols[static_cast<std::size_t>(axis)] + ", " + unit_of(axis);
+  return std::string("stiffness ") + stiffness_key(axis) + ", " + unit_of(axis);
 }
 
 ChartSeries step(const std::string& name, std::size_t color, ChartSeries::Form form) {
@@ -195,6 +194,7 @@ void add_cells(ChartPanel& panel, const std::vector<const TuningColumn*>& column
 }
 
 std::string title_of(const TuningResults& results, GainAxis axis) {
+  if (axis == GainAxis::damped) return "Damped object norm, worst of all situations";
   if (axis == GainAxis::translation) return "Translation alone, worst of all situations";
   if (axis == GainAxis::rotation) return "Rotation alone, worst of all situations";
   const std::string springs =
@@ -244,11 +244,13 @@ ChartPanel classic_panel(const TuningResults& results, GainAxis axis) {
   if (!frictionless.x.empty()) panel.series.push_back(frictionless);
   const Coupling gains = recommended_coupling(results);
   const bool recommended = recommended_axes(results).front() == axis;
-  if (is_joint(axis) && recommended && has_recommendation(results))
+  if ((is_joint(axis) || axis == GainAxis::damped) && recommended && has_recommendation(results))
     panel.title += remark(*recommend(results, axis));
   if (has_recommendation(results) && (recommended || !is_joint(axis)))
     panel.series.push_back({"recommended",
-                            {turns ? gains.k_r : gains.k_t},
+                            {in_object_norm(axis) ? gains.k
+                             : turns              ? gains.k_r
+                                                  : gains.k_t},
                             {damps_turns(axis) ? gains.b_r : gains.b_t},
                             ChartSeries::Form::points,
                             0});

@@ -240,9 +240,7 @@ std::string coupling_text(const TuningResults& results) {
   const Coupling coupling = recommended_coupling(results);
   Json out{{"mode", name_of(coupling.mode)}};
   for (const Setting& setting : coupling_settings()) {
-    const std::string_view mode = setting.coupling_mode;
-    if (mode.empty() || mode == name_of(coupling.mode))
-      out[setting.key] = get(coupling, setting.key);
+    if (is_used(setting, coupling.mode)) out[setting.key] = get(coupling, setting.key);
   }
   return out.dump(2) + "\n";
 }

@@ -105,9 +105,7 @@ TuningLine line_of(const Json& json) {
   line.situation = json.at("situation").get<std::size_t>();
   line.kind = json.at("kind").get<std::string>();
   line.hand = json.at("hand").get<std::string>();
-  line.axis = named(json.at("axis").get<std::string>(),
-                    {GainAxis::object, GainAxis::together, GainAxis::translation,
-                     GainAxis::rotation, GainAxis::together_b_t, GainAxis::together_b_r});
+  line.axis = gain_axis_named(json.at("axis").get<std::string>());
   if (!json.at("assumed").is_null()) line.assumed = json.at("assumed").get<std::string>();
   line.times = json.at("times").get<double>();
   for (const Json& column : json.at("columns")) line.columns.push_back(column_of(column));

@@ -58,7 +58,7 @@ std::string stiffness_text(const AxisGains& gains) {
 
 std::string gains_text(const AxisGains& gains, const JointGains& joint) {
   if (gains.axis == GainAxis::object) return "k " + stiffness_text(gains);
-  std::string out = (gains.axis == GainAxis::rotation ? "k_r " : "k_t ") + stiffness_text(gains);
+  std::string out = stiffness_key(gains.axis) + (" " + stiffness_text(gains));
   const Coupling c = coupling_of(gains, joint);
   if (is_joint(gains.axis)) out += ", k_r " + short_text(c.k_r) + " N·m/rad";
   if (gains.damping == 0) return out + ", no damping";
@@ -86,7 +86,7 @@ std::string hardness_text(const TuningResults& results, const AxisGains& gains) 
   const auto& device = results.device;
   const bool known = device.contains("damping") && device.contains("delay");
   const Coupling c = coupling_of(gains, results.joint);
-  const double stiffness = gains.axis == GainAxis::object ? c.k : c.k_t;
+  const double stiffness = in_object_norm(gains.axis) ? c.k : c.k_t;
   if (!known || !(stiffness > 0)) return {};
   const SampledAxis axis{device.at("mass"), device.at("damping"), c.b_t, results.sample_time,
                          device.at("delay")};

@@ -91,15 +91,23 @@ TEST(Settings, allowed_knows_the_range_and_whole_numbers) {
 }
 
 TEST(Settings, coupling_modes_have_names) {
-  EXPECT_EQ(coupling_modes().size(), 2u);
-  for (const auto mode : {Coupling::Mode::object, Coupling::Mode::classic})
+  EXPECT_EQ(coupling_modes().size(), 3u);
+  for (const auto mode : {Coupling::Mode::object, Coupling::Mode::classic, Coupling::Mode::damped})
     EXPECT_EQ(coupling_mode(name_of(mode)), mode);
   EXPECT_STREQ(name_of(Coupling::Mode::object), "object");
   EXPECT_FALSE(coupling_mode("objekt"));
   for (const Setting& setting : coupling_settings()) {
-    const std::string mode = setting.coupling_mode;
-    EXPECT_TRUE(mode.empty() || coupling_mode(mode)) << setting.key;
+    std::istringstream names(setting.coupling_modes);
+    for (std::string name; names >> name;) EXPECT_TRUE(coupling_mode(name)) << setting.key;
   }
+  using enum Coupling::Mode;
+  const auto uses = [](Coupling::Mode mode, const char* key) {
+    return is_used(*find_setting(coupling_settings(), key), mode);
+  };
+  EXPECT_TRUE(uses(object, "k") && uses(damped, "k") && !uses(classic, "k"));
+  EXPECT_TRUE(uses(classic, "b_t") && uses(damped, "b_t") && !uses(object, "b_t"));
+  EXPECT_TRUE(uses(classic, "k_r") && !uses(damped, "k_r") && !uses(damped, "b_r"));
+  EXPECT_TRUE(uses(object, "max_force") && uses(damped, "max_force"));
 }
 
 TEST(Settings, models_have_names) {

@@ -63,6 +63,11 @@ class Pressed {
   }
 
   void set(const Coupling& coupling) { glide_.set(coupling); }
+  /// From now on the device says what damping it bears, as a profile does.
+  void know_damping() {
+    traits_.max_damping = profile_.max_damping.value;
+    traits_.max_rotational_damping = profile_.max_rotational_damping.value;
+  }
   /// The device reads so much too far, for a tick.
   void misread(double by) { misread_ = by; }
   /// The probe moves so much further than the hand, from now on.
@@ -157,6 +162,15 @@ constexpr Event events[] = {
        c.mode = Coupling::Mode::classic;
        c.k_t = 400;
        c.k_r = 0.02;
+       p.set(c);
+     }},
+    {"a damper, of more than the device bears",
+     [](Pressed& p) {
+       Coupling c = soft();
+       c.mode = Coupling::Mode::damped;
+       c.k = 400;
+       c.b_t = 100;
+       p.know_damping();
        p.set(c);
      }},
     {"a stiffer spring while the force is off",

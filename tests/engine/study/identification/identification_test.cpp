@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -103,6 +104,22 @@ TEST(Identification, intervals_hold_the_truth_behind_noise) {
       inside[f.name] += f.found.low <= f.truth && f.truth <= f.found.high ? 1 : 0;
   }
   for (const auto& [name, count] : inside) EXPECT_GE(count, 9) << name;
+}
+
+TEST(Identification, says_how_far_it_is_and_can_be_stopped) {
+  const Response response =
+      test::answer({0.1, 0.4, 0.1, 1e-3, 1e-5}, plan_along(1, device_of_mass(0.1)), 1);
+  std::vector<double> fractions;
+  identify(response, Rows::all_logged, [&](double fraction) {
+    fractions.push_back(fraction);
+    return true;
+  });
+  EXPECT_GT(fractions.size(), 100u);
+  EXPECT_TRUE(std::ranges::is_sorted(fractions));
+  EXPECT_GE(fractions.front(), 1. / 6) << "the second of six axes";
+  EXPECT_GT(fractions.back(), 1.5 / 6);
+  EXPECT_LE(fractions.back(), 2. / 6);
+  EXPECT_THROW(identify(response, Rows::all_logged, [](double) { return false; }), Cancelled);
 }
 
 /// Every second sample of a recording, the odd or the even ones.

@@ -5,15 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "engine/body/body.hpp"
-#include "engine/geometry/rotation.hpp"
-#include "engine/haptics/coupling/object_damper.hpp"
-#include "engine/penetration/sensitivity/wrench_derivative.hpp"
 #include "engine/study/stability/contact_stability.hpp"
 #include "engine/study/stability/press_and_hold.hpp"
 #include "engine/study/stability/sampled_stability.hpp"
@@ -24,59 +19,12 @@
 namespace sonde {
 namespace {
 
-/// The closed loop with a damper of the object norm beside its spring: backward differences of y.
-class DampedLoop {
- public:
-  DampedLoop(const ClosedLoopSetup& setup, double damping)
-      : setup_(setup),
-        damping_(damping),
-        X_DM_{Quat::Identity(), -setup.pair.probe().mass.com},
-        loop_(setup.pair, setup.method, setup.coupling),
-        device_(setup.device, setup.sample_time) {}
-
-  void reset(const Pose& X_FM) {
-    device_.reset(X_FM * inverse(X_DM_));
-    loop_.reset(X_FM, StaticOptions{});
-    before_.reset();
-  }
-  void step(const Pose& X_FH, const Wrench& push) {
-    loop_.tick(device_.measured() * X_DM_, setup_.sample_time, setup_.budget);
-    Wrench wrench = loop_.wrench();
-    const Wrench damper = damped(loop_.separation());
-    wrench.force += damper.force;
-    wrench.torque += damper.torque;
-    const Vec3 phi = rotation_vector(device_.state().X_WD.q * X_FH.q.conjugate());
-    device_.step(wrench, X_FH * inverse(X_DM_), push_as_turned(push, phi));
-  }
-  const SimulatedDevice& device() const { return device_; }
-
- private:
-  Wrench damped(const Separation& s) {
-    const MassProperties& mass = setup_.pair.probe().mass;
-    if (s.status == Status::failed) before_.reset();
-    if (s.status == Status::failed) return {};
-    const bool touches = s.status == Status::penetrating;
-    const Vec6 y = touches ? Chart(mass, s.device).coordinates(s.separated) : Vec6(Vec6::Zero());
-    const auto before = std::exchange(before_, y);
-    if (!touches || !before || s.jumped || !s.converged || damping_ == 0) return {};
-    const WrenchDerivative d = wrench_derivative(setup_.pair, s);
-    if (d.sides == WrenchDerivative::Sides::none) return {};
-    const Mat6 Y = separation_jacobian(mass, s.device, s.separated, d.d_separated);
-    return object_damper(Y, (y - *before) / setup_.sample_time, damping_);
-  }
-
-  ClosedLoopSetup setup_;
-  double damping_;
-  Pose X_DM_;
-  HapticLoop loop_;
-  SimulatedDevice device_;
-  std::optional<Vec6> before_;
-};
-
-ClosedLoopSetup cube_on_block(double k) {
+ClosedLoopSetup cube_on_block(double k, double damping) {
   ClosedLoopSetup out{
       .pair = {test::body(test::box({0.05, 0.05, 0.05})), test::body(test::box({1, 1, 0.2}))}};
+  out.coupling.mode = Coupling::Mode::damped;
   out.coupling.k = k;
+  out.coupling.b_t = damping;
   out.coupling.max_force = out.coupling.max_torque = 1e6;
   out.device.translation = {.inertia = 0.1, .damping = 1, .limit = 1e6};
   out.device.rotation = {.inertia = 1e3, .damping = 1e5, .limit = 1e6};  // it does not turn
@@ -85,10 +33,10 @@ ClosedLoopSetup cube_on_block(double k) {
 
 /// Kinetic energy in the second half of a second after a small knock, over that in the first.
 double growth(double k, double damping) {
-  const ClosedLoopSetup setup = cube_on_block(k);
-  DampedLoop loop(setup, damping);
+  const ClosedLoopSetup setup = cube_on_block(k, damping);
+  ClosedLoop loop(setup);
   const Pose X{Quat::Identity(), {0, 0, 0.125 + 1e-6}};
-  loop.reset(X);
+  loop.reset(X, StaticOptions{});
   Wrench push;
   double energy[2] = {0, 0};
   for (int i = 0; i < 1800; ++i) {
@@ -115,11 +63,11 @@ struct Settled {
 };
 
 /// After a push from one moment to the next: until |F| stays within 5 % of what it comes to.
-Settled step_response(const TuningSetup& setup, double damping) {
+Settled step_response(const TuningSetup& setup) {
   constexpr int ticks = 1200, pushed = 100, last = 100;
   const Pose X = setup.situation.contact.separation.separated;
-  DampedLoop loop(setup.loop, damping);
-  loop.reset(X);
+  ClosedLoop loop(setup.loop);
+  loop.reset(X, StaticOptions{});
   std::vector<double> force;
   for (int i = 0; i < ticks; ++i) {
     loop.step(X, i < pushed ? Wrench{} : setup.situation.push);
@@ -142,19 +90,20 @@ TEST(ObjectDamperHold, Full_in_the_cup_it_settles_sooner_and_allows_more) {
   const TuningPlan plan = tuning_plan(request, test::never);
   for (std::size_t i = 0; i < plan.contacts.situations.size(); ++i) {
     TuningSetup setup = tuning_setup(plan, i, hand_grips[0]);
+    setup.loop.coupling.mode = Coupling::Mode::damped;
     setup.loop.coupling.k = 170;
     setup.loop.device.translation.friction = setup.loop.device.rotation.friction = 0;
     const ContactSituation& contact = setup.situation.contact;
-    const Separation& s = contact.separation;
-    const WrenchDerivative d = wrench_derivative(request.pair, s);
-    const Mat6 Y =
-        separation_jacobian(request.pair.probe().mass, s.device, s.separated, d.d_separated);
     double time = INFINITY, released = 0;
     for (const double damping : {0.0, 1.0, 2.0}) {
-      const SampledContact linear{setup.loop.device,           request.sample_time,
-                                  contact.stiffness.object,    Mat6::Zero(),
-                                  damping * Y.transpose() * Y, true};
-      const Settled settled = step_response(setup, damping);
+      const SampledContact linear{setup.loop.device,
+                                  request.sample_time,
+                                  contact.stiffness.object,
+                                  Mat6::Zero(),
+                                  damping * contact.stiffness.damper,
+                                  true};
+      setup.loop.coupling.b_t = damping;
+      const Settled settled = step_response(setup);
       const double stable = largest_released_factor(linear);
       EXPECT_LT(settled.time, 0.85 * time) << name_of(contact.kind) << ' ' << damping;
       EXPECT_GT(stable, 1.5 * released) << name_of(contact.kind) << ' ' << damping;
