@@ -49,6 +49,21 @@ TEST_F(Tune, writes_a_map_and_a_coupling_that_a_scene_can_include) {
   expect_done("replay tuned.sonde.json");
 }
 
+TEST_F(Tune, the_damped_coupling_has_its_own_gains_and_map) {
+  expect_done(std::string(quick) + "--out out --coupling damped");
+  EXPECT_THAT(text_of(folder / "out/map.svg"),
+              testing::AllOf(HasSubstr("Damped object norm"), HasSubstr("damping b_t, N·s/m")));
+  const std::string gains = text_of(folder / "out/coupling.json");
+  EXPECT_THAT(gains, testing::AllOf(HasSubstr("\"mode\": \"damped\""), HasSubstr("\"k\""),
+                                    HasSubstr("\"b_t\""), testing::Not(HasSubstr("\"k_t\"")),
+                                    testing::Not(HasSubstr("\"b_r\""))));
+  folder.write("tuned.sonde.json",
+               R"({"probe": {"mesh": "small.off"}, "fixed": {"mesh": "large.off"},
+                   "trajectory": "path.csv", "coupling": "out/coupling.json"})");
+  const std::string damped = expect_done("replay tuned.sonde.json").out;
+  EXPECT_NE(damped, expect_done("replay tuned.sonde.json --b-t 0").out);
+}
+
 TEST_F(Tune, says_a_first_result_that_gets_better_and_quiet_changes_no_file) {
   const Outcome run = expect_done(std::string(quick) + "--out out --threads 1");
   const auto place = [&](const char* words) { return run.err.find(words); };

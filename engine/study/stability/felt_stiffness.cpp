@@ -10,6 +10,7 @@
 #include "engine/geometry/rotation.hpp"
 #include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "engine/haptics/coupling/object_damper.hpp"
+#include "engine/penetration/descent/descent.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/penetration/sensitivity/feature_row.hpp"
 #include "engine/penetration/sensitivity/wrench_derivative.hpp"
@@ -120,7 +121,9 @@ Mat6 FeltStiffness::damping(const Coupling& c) const {
 
 std::optional<FeltStiffness> felt_stiffness(const Pair& pair, Method method, const Pose& X_FO,
                                             const Pose& X_FQ, double step) {
+  constexpr double steps_of_clearance = 100;  // a difference is then exact to a hundredth
   const MassProperties& mass = pair.probe().mass;
+  if (step < steps_of_clearance * allowed_clearance(mass.radius, 0)) return std::nullopt;
   // A turn about a thin axis moves little, so the step is measured by the motion of the whole
   // probe.
   const double radius = std::max(std::sqrt(mass.inertia.maxCoeff()), 1e-3 * mass.radius);

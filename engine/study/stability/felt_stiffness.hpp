@@ -32,7 +32,8 @@ struct FeltStiffness {
 /// In closed form (wrench_derivative.hpp) if that holds on all sides; otherwise, and for
 /// translations only, by central differences of the solver's own answers: from Q, a free pose, to O
 /// and to both sides of it, at the distance `step` (m, in the object norm). No value if an answer
-/// fails, has no contact, or jumps on the way.
+/// fails, has no contact, or jumps on the way, nor if the step is below 1e-7 of the probe's radius:
+/// within the clearance that an answer keeps, the separated pose need not follow at all.
 std::optional<FeltStiffness> felt_stiffness(const Pair& pair, Method method, const Pose& X_FO,
                                             const Pose& X_FQ, double step);
 

@@ -35,9 +35,10 @@ constexpr double slow_to_die = 0.1;
 
 double known_to(const SweepOptions& options) { return options.known_to.value_or(options.ratio); }
 
-class Sweep {
+class StiffnessSearch {
  public:
-  Sweep(const std::function<HoldReport(double)>& run, const SweepOptions& options, const Stop& stop)
+  StiffnessSearch(const std::function<HoldReport(double)>& run, const SweepOptions& options,
+                  const Stop& stop)
       : run_(run), options_(options), stop_(stop) {}
 
   /// Runs from `first`, or from below if that does not fit, to the first stiffness that does not
@@ -183,7 +184,7 @@ HoldFault fault_of(const HoldReport& report, GainAxis axis) {
 
 StiffnessSweep sweep_stiffness(const std::function<HoldReport(double)>& run,
                                const SweepOptions& options, const Stop& stop) {
-  Sweep sweep(run, options, stop);
+  StiffnessSearch sweep(run, options, stop);
   const Fits stable = [](const HoldReport& r) { return r.stable; };
   const Fits good = [&](const HoldReport& r) { return sweep.fault_of(r) == HoldFault::none; };
   sweep.walk(options.start / 4, stable);
@@ -210,7 +211,7 @@ bool comes_to_rest(const HoldReport& report) {
 SweepLimit search_limit(const std::function<HoldReport(double)>& run,
                         const std::function<bool(const HoldReport&)>& holds,
                         const SweepOptions& options, const Stop& stop) {
-  Sweep sweep(run, options, stop);
+  StiffnessSearch sweep(run, options, stop);
   sweep.walk(options.start, holds);
   return sweep.limit(holds, options.low);
 }

@@ -48,6 +48,7 @@ double start_within(double start, const Range& range) {
 SampledContact linear_contact(const TuningSetup& setup, GainAxis axis, double damping) {
   const FeltStiffness& felt = setup.situation.contact.stiffness;
   Coupling own = setup.loop.coupling, others = setup.loop.coupling;
+  if (axis == GainAxis::damped) own.mode = others.mode = Coupling::Mode::damped;
   own.k = own.k_t = own.k_r = 0;
   set_gains(own, axis, 1, 0, setup.joint);
   set_gains(others, axis, 0, damping, setup.joint);

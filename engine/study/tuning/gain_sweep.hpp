@@ -25,6 +25,12 @@ struct JointGains {
   double damping = 0;
 };
 
+/// Gains of the damped coupling that theory of a handle that no hand holds, the driver and the
+/// encoder allow.
+struct DamperInTheory {
+  double stiffness = 0, damping = 0;  ///< N/m, N·s/m
+};
+
 /// Sets the gains of an axis; if both springs are swept, k_r from k_t, and a damper that is not
 /// swept to zero.
 void set_gains(Coupling& coupling, GainAxis axis, double stiffness, double damping,

@@ -95,6 +95,8 @@ struct TuningPlan {
   /// What theory of a handle that no hand holds, the driver and the encoder allow there, N/m: no
   /// run can raise it.
   double unmeasured = infinity;
+  /// What they would allow with a damper, if the coupling studied is the object norm without one.
+  std::optional<DamperInTheory> damper = {};
 };
 /// Searches for the situations. Errors as for tuning_contacts.
 TuningPlan tuning_plan(const TuningRequest& request, const Stop& stop,

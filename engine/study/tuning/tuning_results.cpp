@@ -149,6 +149,8 @@ void read_about(const Json& json, TuningResults& out) {
   out.max_torque = json.at("max_torque").get<double>();
   out.trusts_friction = json.value("trusts_friction", false);
   out.always_held = json.value("always_held", false);
+  if (const auto found = json.find("damper_in_theory"); found != json.end() && !found->is_null())
+    out.damper = {found->at("stiffness").get<double>(), found->at("damping").get<double>()};
   for (const auto& [key, value] : json.at("device").items())
     if (value.is_object()) out.device[key] = value.at("value").get<double>();
   for (const char* needed : profile_values)

@@ -66,9 +66,10 @@ struct TuningResults {
     double translation = 0, rotation = 0;
   };
   std::vector<Felt> felt;
-  bool always_held = false;          ///< as TuningRequest
-  std::optional<RestLadder> ladder;  ///< none: it was not climbed, or not yet
-  std::vector<TuningLine> lines;     ///< those of the unchanged profile come first
+  bool always_held = false;              ///< as TuningRequest
+  std::optional<DamperInTheory> damper;  ///< if the mode is the object norm; none: unknown
+  std::optional<RestLadder> ladder;      ///< none: it was not climbed, or not yet
+  std::vector<TuningLine> lines;         ///< those of the unchanged profile come first
 };
 
 bool has_friction(const TuningResults& results);

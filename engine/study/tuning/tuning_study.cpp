@@ -187,6 +187,19 @@ double unmeasured_limit(const TuningPlan& plan, GainAxis axis, double share) {
   return recommend(results, axis)->stiffness;
 }
 
+/// The stiffest that a damper may allow; among equal ones the least damping.
+std::optional<DamperInTheory> damper_in_theory(const TuningPlan& plan) {
+  if (plan.request.coupling.mode != Coupling::Mode::object) return std::nullopt;
+  const TuningSetup setup = tuning_setup(plan, hardest(plan), hand_grips[0]);
+  std::optional<DamperInTheory> out;
+  for (const double share : damping_shares(setup, GainAxis::damped)) {
+    const double stiffness = unmeasured_limit(plan, GainAxis::damped, share);
+    if (share > 0 && (!out || stiffness > out->stiffness))
+      out = {stiffness, share * most_damping(setup, GainAxis::damped)};
+  }
+  return out;
+}
+
 std::vector<Look> looks_to_take(const TuningPlan& plan) {
   const TuningSetup setup = tuning_setup(plan, hardest(plan), hand_grips[0]);
   std::vector<Look> looks;
@@ -240,6 +253,7 @@ std::shared_ptr<const TuningPlan> study_plan(const TuningRequest& request, unsig
     };
   };
   const auto plan = std::make_shared<TuningPlan>(tuning_plan(request, stop, part(0, 0.5), threads));
+  plan->damper = damper_in_theory(*plan);
   const std::vector<Look> looks = looks_at_hardest(plan, threads, stop);
   part(0.5, 1)(0.5);
   // The best gains in the hardest contact may fail in another, and no other contact allows more

@@ -198,6 +198,15 @@ std::string passivity_text(const TuningResults& results, const AxisGains& gains)
   return out;
 }
 
+/// If a damper may allow much more than the object norm by itself does.
+std::string damper_text(const TuningResults& results, const AxisGains& gains) {
+  constexpr double much = 1.2;
+  if (!results.damper || results.damper->stiffness < much * gains.stiffness) return {};
+  return "with a damper (the coupling damped), theory and the driver allow k " +
+         short_text(results.damper->stiffness) + " N/m, b_t " +
+         short_text(results.damper->damping) + " N·s/m: a study of that coupling tells what holds";
+}
+
 /// The results of the holds of seconds.
 std::vector<std::string> lasting_swings(const TuningResults& results, const AxisGains& gains) {
   if (gains.tried) return rest_words(results, gains);
@@ -288,6 +297,7 @@ std::vector<std::string> recommendation_in_words(const TuningResults& results) {
     for (const std::string& sentence : lasting_swings(results, *gains)) add(sentence);
     add(let_go_text(results, *gains));
     add(passivity_text(results, *gains));
+    add(damper_text(results, *gains));
     add(beyond_theory(*gains));
     add(damping_ratio_text(results, *gains));
     add(hardness_text(results, *gains));

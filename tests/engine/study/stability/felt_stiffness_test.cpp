@@ -54,6 +54,22 @@ TEST(FeltStiffness, of_a_box_pressed_flat_is_that_of_its_three_degrees) {
   EXPECT_EQ(felt->damping(c), Mat6::Zero());
 }
 
+// The answer to a graze stands within its clearance, so it does not follow a smaller motion: taken
+// as a contact, it would hold the probe in every direction.
+TEST(FeltStiffness, a_graze_has_none) {
+  const Pair pair(test::body(test::box({0.06, 0.05, 0.04})), test::body(test::box({1, 1, 0.1})));
+  for (const double depth : {1e-11, 1e-9, 1e-5, 1e-3}) {
+    const Pose O{Quat::Identity(), {0.01, 0.005, 0.07 - depth}};
+    const Pose Q{Quat::Identity(), {0.01, 0.005, 0.07 + 1e-4 * depth}};
+    const auto felt = felt_stiffness(pair, Method::pdg, O, Q, 0.03 * depth);
+    EXPECT_EQ(felt.has_value(), depth > 1e-6) << depth;
+    if (!felt) continue;
+    EXPECT_NEAR(felt->object(2, 2), 1, 0.02) << depth;
+    EXPECT_NEAR(felt->object(0, 0), 0, 0.02) << depth << ": it slides along the plane";
+    EXPECT_NEAR(felt->object(1, 1), 0, 0.02) << depth;
+  }
+}
+
 /// Contacts of two real meshes and of two knots.
 struct Contacts {
   std::shared_ptr<const Body> probe, fixed;

@@ -51,6 +51,30 @@ TEST(TuningStudy, the_first_look_is_as_near_as_it_says) {
   EXPECT_GE(coarse.stiffness * first_look_ratio, fine.stiffness);
 }
 
+// Reference: the study of that coupling, with its runs.
+TEST(TuningStudy, what_a_damper_may_allow_is_said_and_held_by_its_own_study) {
+  TuningRequest request = boxes_held_by("sigma.7");
+  request.ratio = 1.5;
+  request.device.max_stiffness.value *= 20;  // so that the driver limits neither
+  request.device.max_rotational_stiffness.value *= 20;
+  const auto plain = plan_of(request);
+  ASSERT_TRUE(plain->damper.has_value());
+  EXPECT_GT(plain->damper->stiffness, plain->held_stiffness);
+  request.coupling.mode = Coupling::Mode::damped;
+  const auto damped = plan_of(request);
+  EXPECT_FALSE(damped->damper.has_value());
+  EXPECT_EQ(damped->axis, GainAxis::damped);
+  EXPECT_GT(damped->damping_share, 0);
+  EXPECT_LE(damped->held_stiffness, plain->damper->stiffness);
+  EXPECT_GT(damped->held_stiffness, 1.5 * plain->held_stiffness);
+  const Study study = plan_tuning(damped);
+  const TuningResults results = read_tuning("", compute_at_once(study, 2, never));
+  const Coupling gains = recommended_coupling(results);
+  EXPECT_EQ(gains.mode, Coupling::Mode::damped);
+  EXPECT_GT(gains.b_t, 0);
+  EXPECT_NEAR(gains.k / damped->held_stiffness, 1, 0.5);
+}
+
 // References: the recommendation of a study whose every run holds; the "driver" among its limits.
 TEST(TuningStudy, nothing_is_looked_at_that_could_not_be_recommended) {
   for (const Coupling::Mode mode : {Coupling::Mode::object, Coupling::Mode::classic}) {

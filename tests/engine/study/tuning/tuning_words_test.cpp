@@ -33,6 +33,29 @@ TEST(TuningWords, say_what_is_recommended_and_what_limits_it) {
             "no stiffness is good, limited by chatter (edge contact, light hand)");
 }
 
+TEST(TuningWords, say_what_a_damper_may_allow_where_it_is_much_more) {
+  TuningResults r = stable_up_to({3000, 1500});
+  r.damper = {2000, 1.5};
+  EXPECT_THAT(recommendation_in_words(r),
+              testing::Contains("with a damper (the coupling damped), theory and the driver allow "
+                                "k 2000 N/m, b_t 1.5 N·s/m: a study of that coupling tells what "
+                                "holds"));
+  r.damper = {1100, 1.5};  // 1000 without
+  EXPECT_THAT(recommendation_in_words(r), testing::Not(testing::Contains(HasSubstr("damper"))));
+}
+
+TEST(TuningWords, say_the_gains_of_the_damped_coupling) {
+  TuningResults r = results();
+  r.mode = Coupling::Mode::damped;
+  r.lines = {line(0, GainAxis::damped, {column(0, 900), column(2, 3000)})};
+  EXPECT_EQ(gains_in_words(r),
+            "k 2000 N/m, b_t 2 N·s/m, limited by stability (flat contact, light hand)");
+  const Coupling gains = recommended_coupling(r);
+  EXPECT_EQ(gains.mode, Coupling::Mode::damped);
+  EXPECT_EQ(gains.k, 2000);
+  EXPECT_EQ(gains.b_t, 2);
+}
+
 TEST(TuningWords, say_why_no_virtual_damping_is_best) {
   TuningResults r = results();
   r.joint = {1e-4, 2e-4};
