@@ -34,13 +34,17 @@ TEST_F(ViewportCameraTest, a_place_to_look_from_is_kept) {
 }
 
 TEST_F(ViewportCameraTest, whatever_was_looked_at_a_fitted_picture_shows_both_bodies_whole) {
+  const Vec3 at_hand(0, -0.3, 0.12), as_held(0, 0.3, 0.12);
+  now.snapshot.separation.device.p = at_hand;
+  now.snapshot.separation.separated.p = as_held;
   for (const Vec3& side : {Vec3(5, 0, 0), Vec3(0.01, 0.01, 0.01), Vec3(0, 0, -2)}) {
     look_from(side);
     view->fit();
     QRectF drawn;
     for (int i = 0; i < 8; ++i) {
       const Vec3 corner(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-      for (const Vec3& x : {Vec3(0.05 * corner), Vec3(0.02 * corner + Vec3(0, 0, 0.12))})
+      for (const Vec3& x :
+           {Vec3(0.05 * corner), Vec3(0.02 * corner + at_hand), Vec3(0.02 * corner + as_held)})
         drawn |= QRectF(view->on_screen(x), QSizeF(1e-3, 1e-3));
     }
     EXPECT_TRUE(QRectF(view->rect()).contains(drawn)) << side.transpose();
