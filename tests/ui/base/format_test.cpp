@@ -38,5 +38,15 @@ TEST(Format, the_name_of_a_body_does_not_turn_the_words_beside_it) {
   EXPECT_EQ(short_name(body), QStringLiteral("برغي"));
 }
 
+TEST(Format, lengths_read_well) {
+  EXPECT_EQ(LengthUnit(0.05).text(0.0012346), QStringLiteral("1.235 mm"));
+  EXPECT_EQ(LengthUnit(5).name(), QStringLiteral("m"));
+  EXPECT_EQ(LengthUnit(1e-4).name(), QStringLiteral("µm"));
+  EXPECT_EQ(number(12.345), QStringLiteral("12.3"));
+  EXPECT_EQ(number(0.012345), QStringLiteral("0.0123"));
+  EXPECT_EQ(round_down_125(0.037), 0.02);
+  EXPECT_EQ(round_down_125(5), 5);
+}
+
 }  // namespace
 }  // namespace sonde::ui

@@ -10,6 +10,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
@@ -23,6 +24,8 @@
 
 #include "tests/ui/window_fixture.hpp"
 #include "ui/base/job.hpp"
+#include "ui/devices/device_control.hpp"
+#include "ui/panels/typed_value.hpp"
 #include "ui/views/hint_view.hpp"
 
 namespace sonde::ui::test {
@@ -253,6 +256,39 @@ TEST_F(EscapeTest, works_while_meshes_are_browsed_for) {
   });
   dialogs(*window).ask_meshes({});
   EXPECT_TRUE(browsed);
+}
+
+TEST_F(EscapeTest, escape_takes_the_force_away_wherever_it_is_pressed) {
+  auto* toggle = find<QAction>("force");
+  const auto force = [this] { return shown().wrench.force.norm(); };
+  for (QWidget* where :
+       {static_cast<QWidget*>(find<TypedValue>("k_value")),
+        static_cast<QWidget*>(find<QComboBox>("holder")), window->viewport().canvas()}) {
+    ASSERT_TRUE(wait_until([&] { return force() > 0; }));
+    QTest::keyClick(where, Qt::Key_Escape);
+    EXPECT_FALSE(toggle->isChecked());
+    EXPECT_TRUE(wait_until([&] { return force() == 0; }));
+    auto* status = find<QLabel>("what_happens");
+    EXPECT_TRUE(wait_until([&] { return status->text().contains("stopped"); }));
+    toggle->trigger();
+  }
+  EXPECT_TRUE(wait_until([&] { return force() > 0; }));
+}
+
+TEST_F(EscapeTest, escape_while_a_scene_comes_with_a_complaint_is_seen) {
+  folder.write("path.csv", "t,px,py,pz,qw,qx,qy,qz\n0,0.3,0,0,1,0,0,0\n");
+  folder.write("path.sonde.json", R"({"probe": {"mesh": "cube.off"}, "fixed": {"mesh": "cube.off"},
+      "trajectory": "path.csv"})");
+  open({path("path.sonde.json")});
+  window->devices().choose(PathSource{});
+  window->prompts().report_error = [this](const QString& text) {
+    complaints.push_back(text);
+    QTest::keyClick(window->viewport().canvas(), Qt::Key_Escape);
+  };
+  open_cubes();
+  ASSERT_EQ(complaints.size(), 1u) << "it has no path";
+  EXPECT_FALSE(window->session()->force_on());
+  EXPECT_FALSE(find<QAction>("force")->isChecked());
 }
 
 }  // namespace

@@ -14,7 +14,6 @@
 #include "tests/ui/window_fixture.hpp"
 #include "ui/actions/seeing_control.hpp"
 #include "ui/views/glyphs.hpp"
-#include "ui/views/movement.hpp"
 #include "ui/views/simplified.hpp"
 #include "ui/views/surface.hpp"
 
@@ -161,22 +160,6 @@ TEST(SimplifiedTest, it_has_few_triangles_near_the_surface) {
     const double off = std::hypot(std::hypot(x.x(), x.y()) - 0.1, x.z()) - 0.035;
     EXPECT_LT(std::abs(off), 0.001) << "of a torus 270 mm across";
   }
-}
-
-TEST(MovementTest, trembling_within_half_a_pixel_is_rest) {
-  Movement movement;
-  Place place{Vec3::UnitX(), Vec3::Zero(), Vec3::UnitZ(), {}, {}, 1};
-  const auto see = [&] { movement.see(place, Vec3::Zero(), 0.1, 1e-3); };
-  see();
-  EXPECT_FALSE(movement.going_on()) << "the first picture";
-  for (const double tremble : {4e-4, -0.5e-4, 3e-4}) {
-    place.device.p.x() = tremble;
-    see();
-  }
-  EXPECT_FALSE(movement.going_on());
-  place.device.q = Quat(Eigen::AngleAxisd(0.01, Vec3::UnitY()));
-  see();
-  EXPECT_TRUE(movement.going_on()) << "a point of the probe moves by a millimetre";
 }
 
 }  // namespace

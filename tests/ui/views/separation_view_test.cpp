@@ -12,7 +12,6 @@
 #include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "tests/support/shapes.hpp"
 #include "ui/base/format.hpp"
-#include "ui/views/probe_view.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -66,28 +65,6 @@ TEST(SeparationView, says_how_far_the_centre_of_mass_moves) {
   EXPECT_EQ(labels.filter("moves " + moved).size(), 1) << labels.join("; ").toStdString();
   ASSERT_EQ(labels.filter(unit.text(slide.norm())).size(), 1) << labels.join("; ").toStdString();
   EXPECT_TRUE(labels.filter(unit.text(slide.norm()))[0].startsWith("screw's slide"));
-}
-
-TEST(Trail, leads_from_the_device_pose_to_the_separated_one) {
-  MassProperties mass;
-  mass.com = Vec3(0.1, -0.2, 0.3);
-  const Pose from{Quat(Eigen::AngleAxisd(0.4, Vec3::UnitX())), Vec3(1, 0, 0)};
-  const Pose to{Quat(Eigen::AngleAxisd(1.1, Vec3::UnitX())), Vec3(1, 2, 0)};
-  EXPECT_NEAR((on_the_way(mass, from, to, 0).p - from.p).norm(), 0, 1e-12);
-  EXPECT_NEAR((on_the_way(mass, from, to, 1).p - to.p).norm(), 0, 1e-12);
-  const Pose half = on_the_way(mass, from, to, 0.5);
-  const Vec3 centre = half * mass.com;
-  EXPECT_NEAR((centre - 0.5 * (from * mass.com + to * mass.com)).norm(), 0, 1e-12);
-}
-
-TEST(Format, lengths_read_well) {
-  EXPECT_EQ(LengthUnit(0.05).text(0.0012346), QStringLiteral("1.235 mm"));
-  EXPECT_EQ(LengthUnit(5).name(), QStringLiteral("m"));
-  EXPECT_EQ(LengthUnit(1e-4).name(), QStringLiteral("µm"));
-  EXPECT_EQ(number(12.345), QStringLiteral("12.3"));
-  EXPECT_EQ(number(0.012345), QStringLiteral("0.0123"));
-  EXPECT_EQ(round_down_125(0.037), 0.02);
-  EXPECT_EQ(round_down_125(5), 5);
 }
 
 }  // namespace
