@@ -105,10 +105,10 @@ class Viewport : public QWidget {
   void set_shown(Layer layer, bool shown);
   bool shown(Layer layer) const;
 
-  /// Along the probe's own axes, rather than the fixed body's.
   /// Hint and legend go, not all at once.
   void fade_hint();
 
+  /// Along the probe's own axes, rather than the fixed body's.
   void set_handles_local(bool local);
   /// The handles of a probe there, as they are drawn; none where they are not.
   std::optional<Handles> handles(const Pose& X_FM) const;

@@ -53,6 +53,10 @@ void GainGlide::blend(double share) noexcept {
     blend_.now.*limit = std::min(to_.*limit, on_the_way(limit));
   if (from_.mode == to_.mode) {
     for (double Coupling::*gain : gains) blend_.now.*gain = on_the_way(gain);
+  } else if (in_object_norm(from_.mode) && in_object_norm(to_.mode)) {
+    for (double Coupling::*gain : gains) blend_.now.*gain = on_the_way(gain);
+    blend_.now.mode = Coupling::Mode::damped;
+    blend_.now.b_t = to_.mode == Coupling::Mode::damped ? share * to_.b_t : (1 - share) * from_.b_t;
   } else {
     blend_.before = from_;
     blend_.share = share;

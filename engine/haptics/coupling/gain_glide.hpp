@@ -9,11 +9,11 @@ namespace sonde {
 
 /// Moves the gains smoothly to their new values. In a contact the force is proportional to the
 /// gains, so a jump of the gains would give the hand a jolt. Stiffness, damping, and rising limits
-/// move in a straight line over `time`; falling limits act immediately. The gains of the two modes
-/// have different meanings. So in a change of mode, the wrench is blended, in the same time, from
-/// that of the old mode to that of the new one. Other changes during that time wait for its end,
-/// except falling limits. A caller may slow the glide down, so that the force does not change
-/// faster than a hand can resist.
+/// move in a straight line over `time`; falling limits act immediately. The object norm is the
+/// damped mode without damping. The gains of the classic mode have other meanings. So in a change
+/// to it or from it, the wrench is blended, in the same time, from that of the old mode to that of
+/// the new one. Other changes during that time wait for its end, except falling limits. A caller
+/// may slow the glide down, so that the force does not change faster than a hand can resist.
 class GainGlide {
  public:
   struct Blend {

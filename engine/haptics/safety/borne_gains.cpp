@@ -66,7 +66,7 @@ bool is_reduced(const Coupling& borne, const Coupling& wanted) noexcept {
 double share_of_way(const GainGlide& glide, const BorneGains& most,
                     const MassProperties& mass) noexcept {
   const Coupling &from = glide.from(), &to = glide.to();
-  if (from.mode != to.mode) return 1;
+  if (in_object_norm(from.mode) != in_object_norm(to.mode)) return 1;
   if (in_object_norm(to.mode)) return share_up_to(from.k, to.k, largest_k(most, mass));
   return std::min(share_up_to(from.k_t, to.k_t, most.translation),
                   share_up_to(from.k_r, to.k_r, most.rotation));

@@ -32,8 +32,8 @@ Coupling borne(const Coupling& wanted, const BorneGains& most, const MassPropert
 bool is_reduced(const Coupling& borne, const Coupling& wanted) noexcept;
 
 /// The share of the change from old gains to new ones that is allowed in all: as much as leaves
-/// every gain at or below the limit `most`, or at or below its old value. 1 if the change is from
-/// one mode to another.
+/// every gain at or below the limit `most`, or at or below its old value. 1 if the change is to the
+/// classic mode or from it.
 double share_of_way(const GainGlide& glide, const BorneGains& most,
                     const MassProperties& mass) noexcept;
 

@@ -55,6 +55,25 @@ TEST(GainGlide, a_limit_that_rises_goes_with_the_gains_and_one_that_falls_is_the
   EXPECT_EQ(glide.next(0.06).now.max_torque, 1);
 }
 
+// The object norm is the damped mode without damping, whatever its b_t says.
+TEST(GainGlide, to_the_damper_and_back_the_damping_comes_and_goes) {
+  Coupling plain = gains(500, 7), damped = gains(1500, 4);
+  damped.mode = Coupling::Mode::damped;
+  GainGlide glide(plain, 0.1);
+  glide.set(damped);
+  const GainGlide::Blend half = glide.next(0.05);
+  EXPECT_EQ(half.share, 1);
+  EXPECT_EQ(half.now.mode, Coupling::Mode::damped);
+  EXPECT_NEAR(half.now.k, 1000, 1e-9);
+  EXPECT_NEAR(half.now.b_t, 2, 1e-9);
+  EXPECT_EQ(glide.next(0.06).now.b_t, 4);
+  glide.set(plain);
+  EXPECT_NEAR(glide.next(0.025).now.b_t, 3, 1e-9);
+  const Coupling there = glide.next(0.08).now;
+  EXPECT_EQ(there.mode, Coupling::Mode::object);
+  EXPECT_EQ(there.k, 500);
+}
+
 TEST(GainGlide, to_another_mode_the_share_of_the_wrench_grows) {
   GainGlide glide(gains(500), 0.1);
   Coupling wanted = gains(1500);

@@ -76,5 +76,15 @@ TEST(BorneGains, the_estimate_is_that_of_one_sampled_axis_in_a_light_hand) {
   EXPECT_EQ(stable_by_estimate({}, 1e-3).translation, 0);
 }
 
+TEST(BorneGains, a_damper_does_not_let_an_unstable_spring_through) {
+  const BorneGains most{.translation = 1000};
+  for (const auto from : {Coupling::Mode::object, Coupling::Mode::damped})
+    for (const auto to : {Coupling::Mode::object, Coupling::Mode::damped}) {
+      GainGlide glide(all_at(from, 500));
+      glide.set(all_at(to, 2500));
+      EXPECT_DOUBLE_EQ(share_of_way(glide, most, long_probe()), 0.25);
+    }
+}
+
 }  // namespace
 }  // namespace sonde
