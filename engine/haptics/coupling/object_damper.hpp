@@ -21,13 +21,12 @@ namespace sonde {
 /// from the probe, since the separation turns faster there than the device moves.)
 
 /// The matrix Y: its rows are the components of y, its columns those of V. Zero out of contact. A
-/// direction in which contacts carry less than a thousandth of the load fades out of it, so that a
-/// contact that is taken or lost makes no step.
+/// direction in which contacts carry less than a thousandth of the load fades out of it.
 Mat6 separation_jacobian(const MassProperties& mass, Method method,
                          const Separation& separation) noexcept;
 
 /// The damper's wrench for the gains k and b_t, with the device at `before` dt (s) ago. It is
-/// lessened where the spring and it together would pull the probe into contact.
+/// lessened where the spring and it as a whole, y·(k y + b ẏ), would pull the probe into contact.
 Wrench object_damper(const MassProperties& mass, Method method, const Separation& separation,
                      const Pose& before, double dt, const Coupling& coupling) noexcept;
 
