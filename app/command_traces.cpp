@@ -50,7 +50,7 @@ void run(const TracesOptions& options) {
   request.stiffness = numbers(options.stiffness);
   request.damping = numbers(options.damping);
   if (!request.damping.empty() && main_axis(request.tuning) == GainAxis::object)
-    throw UsageError("--b: the object norm has no damping; add --coupling classic");
+    throw UsageError("--b: the object norm has no damping; add --coupling classic or damped");
   for (const ContactKind kind : all_contact_kinds)
     if (options.kind == name_of(kind)) request.kind = kind;
   for (const HandGrip& grip : hand_grips)
@@ -76,8 +76,8 @@ Command add_traces_command(CLI::App& program) {
       ->check(check_gain("k"));
   parser
       ->add_option("--b", options->damping,
-                   "dampings of the classic coupling, N·s/m: 0,2; without it shares of the "
-                   "device's largest")
+                   "dampings of the classic or the damped coupling, N·s/m: 0,2; without it "
+                   "shares of the device's largest")
       ->delimiter(',')
       ->check(check_gain("b_t"));
   parser

@@ -35,9 +35,9 @@ Separation of_row(const DepthRow& row) {
 }
 
 /// The numbers of another pair's result would look like any.
-void need_result_of(const SharedPair& pair, const PairMark& mark) {
+void need_result_of(const SharedPair& pair, const PairMark& mark, const std::string& name = "of") {
   if (mark != pair.mark())
-    throw std::invalid_argument("of must be a result of this pair; it is one of other bodies");
+    throw std::invalid_argument(name + " must be a result of this pair; it is one of other bodies");
 }
 
 py::array_t<double> array_of(const std::vector<Wrench>& felt) {
@@ -55,28 +55,55 @@ void need_limit(const char* name, double given) {
   if (!(given >= 0)) throw std::invalid_argument(std::string(name) + " must be 0 or more");
 }
 
+/// With the damping of the classic and of the damped mode, if there is a separation before.
+Wrench wrench_of(const SharedPair& pair, const Found& found, const Coupling& coupling,
+                 const py::object& before, const std::optional<double>& dt) {
+  if (before.is_none()) return wrench(pair.pair, found.separation, coupling);
+  if (!py::isinstance<Found>(before)) throw std::invalid_argument("before must be a Separation");
+  const auto& last = before.cast<const Found&>();
+  need_result_of(pair, last.pair, "before");
+  return wrench(pair.pair, found.separation, last.separation, *dt, coupling);
+}
+
+/// Whether a separation before and the time since are given: both or neither.
+bool has_rates(const py::object& before, const std::optional<double>& dt) {
+  if (before.is_none() != !dt) throw std::invalid_argument("before and dt are given together");
+  if (dt && !(std::isfinite(*dt) && *dt > 0))
+    throw std::invalid_argument("dt must be finite, above 0");
+  return dt.has_value();
+}
+
 /// The wrench of rows of Depths: of their poses alone, as the coupling does without damping.
 py::array_t<double> pair_wrench(const SharedPair& pair, const py::object& of,
                                 Argument<"k", double> k, const Argument<"mode", std::string>& mode,
                                 Argument<"k_t", double> k_t, Argument<"k_r", double> k_r,
                                 Argument<"max_force", double> max_force,
-                                Argument<"max_torque", double> max_torque) {
+                                Argument<"max_torque", double> max_torque,
+                                Argument<"b_t", double> b_t, Argument<"b_r", double> b_r,
+                                const py::object& before,
+                                const Argument<"dt", std::optional<double>>& dt) {
   Coupling coupling;
-  coupling.mode = chosen<Coupling::Mode>(
-      "mode", mode, {{"object", Coupling::Mode::object}, {"classic", Coupling::Mode::classic}});
+  coupling.mode = chosen<Coupling::Mode>("mode", mode,
+                                         {{"object", Coupling::Mode::object},
+                                          {"classic", Coupling::Mode::classic},
+                                          {"damped", Coupling::Mode::damped}});
   coupling.k = k, coupling.k_t = k_t, coupling.k_r = k_r;
-  coupling.b_t = coupling.b_r = 0;
+  coupling.b_t = b_t, coupling.b_r = b_r;
   coupling.max_force = max_force, coupling.max_torque = max_torque;
   need_gain("k", k);
   need_gain("k_t", k_t);
   need_gain("k_r", k_r);
+  need_gain("b_t", b_t);
+  need_gain("b_r", b_r);
   need_limit("max_force", max_force);
   need_limit("max_torque", max_torque);
+  const bool damps = has_rates(before, dt.value);
   if (py::isinstance<Found>(of)) {
     const auto& found = of.cast<const Found&>();
     need_result_of(pair, found.pair);
-    return array_of({wrench(pair.pair, found.separation, coupling)});
+    return array_of({wrench_of(pair, found, coupling, before, dt.value)});
   }
+  if (damps) throw std::invalid_argument("with before, of must be a Separation");
   if (!py::isinstance<Depths>(of)) throw std::invalid_argument("of must be Depths or a Separation");
   const auto& depths = of.cast<const Depths&>();
   need_result_of(pair, depths.pair);
@@ -132,10 +159,15 @@ py::tuple principal_of(const py::object& given, Argument<"k", double> k) {
 void declare_wrenches(py::module_& module, PairClass& pair) {
   pair.def(
           "wrench", &pair_wrench, "of"_a, "k"_a = gains.k, "mode"_a = "object", "k_t"_a = gains.k_t,
-          "k_r"_a = gains.k_r, "max_force"_a = 1e30, "max_torque"_a = 1e30,
+          "k_r"_a = gains.k_r, "max_force"_a = 1e30, "max_torque"_a = 1e30, "b_t"_a = gains.b_t,
+          "b_r"_a = gains.b_r, "before"_a = py::none(), "dt"_a = py::none(),
           "Force (N) and torque (N m, about the probe's centre of mass) on the hand, in the fixed\n"
           "frame, (n, 6), of Depths or a Separation of this pair. mode \"object\": k in N/m;\n"
-          "\"classic\": k_t in N/m and k_r in N m/rad, without damping.")
+          "\"classic\": k_t in N/m and k_r in N m/rad; \"damped\": k. With the Separation of this\n"
+          "pair that was `before`, `dt` s ago, the dampers are added: b_t in N s/m, of "
+          "\"classic\"\n"
+          "and \"damped\", and b_r in N m s/rad, of \"classic\". (That of \"damped\" is of\n"
+          "separations that may turn.)")
       .def("derivative", &pair_derivative, "of"_a,
            "How the depth (6,) and the wrench (6, 6), at k = 1, of a Separation of this pair\n"
            "change with its pose: by a displacement of the probe's centre of mass, m, and a\n"
@@ -144,6 +176,7 @@ void declare_wrenches(py::module_& module, PairClass& pair) {
            "\"none\" where there is no derivative.");
   module.def("wrench", &pair_wrench, "pair"_a, "of"_a, "k"_a = gains.k, "mode"_a = "object",
              "k_t"_a = gains.k_t, "k_r"_a = gains.k_r, "max_force"_a = 1e30, "max_torque"_a = 1e30,
+             "b_t"_a = gains.b_t, "b_r"_a = gains.b_r, "before"_a = py::none(), "dt"_a = py::none(),
              "As Pair.wrench.");
   module.def("derivative", &pair_derivative, "pair"_a, "of"_a, "As Pair.derivative.");
   module.def(

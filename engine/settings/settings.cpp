@@ -41,8 +41,9 @@ constexpr std::array coupling_rows{
         "Force for each metre between the device and the separated pose.", false, "classic"}),
     gain<&Coupling::k_r>({"k_r", "Rotational stiffness", "N·m/rad", 1e-3, 100, 0, true,
         "Torque for each radian between the device and the separated pose.", false, "classic"}),
-    gain<&Coupling::b_t>({"b_t", "Translational damping", "N·s/m", 0, 100, 0, false,
-        "Force for each m/s at which the separation grows; free motion is not damped.",
+    gain<&Coupling::b_t>({"b_t", "Damping", "N·s/m", 0, 100, 0, false,
+        "Classic: force for each m/s at which the separation grows, of translation. Damped: of all "
+        "of the separation, its turn too. Free motion is not damped.",
         false, "classic damped"}),
     gain<&Coupling::b_r>({"b_r", "Rotational damping", "N·m·s/rad", 0, 1, 0, false,
         "Torque for each rad/s at which the separation turns; free motion is not damped.",

@@ -133,8 +133,8 @@ void ClashPanel::show_clashes(const std::vector<AssemblyPart>& parts,
   const auto count = [&](Clash::Kind kind) {
     return std::ranges::count(found, kind, &Clash::kind);
   };
-  summary_->setText(QStringLiteral("%1 parts: %2 pairs overlap, %3 touch, %4 are near. A click on "
-                                   "a row goes there.")
+  summary_->setText(QStringLiteral("%1 parts. Pairs that overlap: %2, that touch: %3, that are "
+                                   "near: %4. A click on a row goes there.")
                         .arg(parts.size())
                         .arg(count(Clash::Kind::overlapping))
                         .arg(count(Clash::Kind::touching))

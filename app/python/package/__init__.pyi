@@ -188,6 +188,10 @@ class Pair:
         k_r: float = 1.0,
         max_force: float = 1e30,
         max_torque: float = 1e30,
+        b_t: float = 0.0,
+        b_r: float = 0.0,
+        before: Optional[Separation] = None,
+        dt: Optional[float] = None,
     ) -> NDArray[numpy.float64]: ...
     def depth_along(
         self,
@@ -271,6 +275,10 @@ def wrench(
     k_r: float = 1.0,
     max_force: float = 1e30,
     max_torque: float = 1e30,
+    b_t: float = 0.0,
+    b_r: float = 0.0,
+    before: Optional[Separation] = None,
+    dt: Optional[float] = None,
 ) -> NDArray[numpy.float64]: ...
 def derivative(pair: Pair, of: Separation) -> Tuple[Any, Any, Any, str]: ...
 def principal_stiffnesses(

@@ -26,7 +26,8 @@ Mat6 separation_jacobian(const MassProperties& mass, Method method,
                          const Separation& separation) noexcept;
 
 /// The damper's wrench for the gains k and b_t, with the device at `before` dt (s) ago. It is
-/// lessened where the spring and it as a whole, y·(k y + b ẏ), would pull the probe into contact.
+/// lessened, by one factor for all contacts so that it dissipates, until spring and damper together
+/// pull at none of them.
 Wrench object_damper(const MassProperties& mass, Method method, const Separation& separation,
                      const Pose& before, double dt, const Coupling& coupling) noexcept;
 

@@ -194,7 +194,7 @@ double HandLoop::most_of_glide(const GainGlide& glide, double dt) noexcept {
   if (s.status != Status::penetrating || !pushed()) return 1;
   double left = 1;
   if (device_) {
-    const double all = share_of_way(glide, stable_by_estimate(*device_, period_), mass_);
+    const double all = share_of_way(glide, *device_, period_, mass_);
     left = std::max(0.0, all - glide.made());
     out_.hand.waiting = all < 1 && left <= 0;
   }

@@ -6,12 +6,18 @@
 namespace sonde {
 namespace {
 
-constexpr double light_hand = 1;        // N·s/m; for rotations times inertia / mass
+constexpr double light_hand = 1;  // N·s/m; for rotations times inertia / mass
+/// Of inertia over sample time and delay, by which virtual damping is itself late: at more of it,
+/// the estimate would be more than a tenth above what the eigenvalues of an axis allow.
+constexpr double counted_damping = 1.0 / 6;
 constexpr double most_felt_turn = 1.2;  // factor on kÎ, from real contacts
+
+/// What the largest rotational gain is of the gain of the object norm, m².
+double felt_turn(const MassProperties& mass) { return most_felt_turn * mass.inertia.maxCoeff(); }
 
 /// Of a gain that acts on translations and, times Î, on rotations.
 double largest_of_both(double translation, double rotation, const MassProperties& mass) {
-  const double turn = most_felt_turn * mass.inertia.maxCoeff();
+  const double turn = felt_turn(mass);
   if (!(rotation > 0 && turn > 0)) return translation;
   const double by_turn = rotation / turn;
   return translation > 0 ? std::min(translation, by_turn) : by_turn;
@@ -23,9 +29,14 @@ double largest_k(const BorneGains& most, const MassProperties& mass) {
 
 double capped(double wanted, double most) { return most > 0 ? std::min(wanted, most) : wanted; }
 
-double share_up_to(double from, double to, double most) {
-  if (!(most > 0) || to <= most || to <= from) return 1;
-  return from >= most ? 0 : (most - from) / (to - from);
+/// By how much a stiffness is above its limit before a change, and after the whole of it.
+double share_of(double before, double after) {
+  if (after <= 0 || after <= before) return 1;
+  return before >= 0 ? 0 : before / (before - after);
+}
+
+double share_up_to(double from, double most_before, double to, double most_after) {
+  return most_before > 0 && most_after > 0 ? share_of(from - most_before, to - most_after) : 1;
 }
 
 }  // namespace
@@ -35,12 +46,25 @@ BorneGains borne_by_device(const DeviceTraits& device) noexcept {
           device.max_rotational_damping};
 }
 
-BorneGains stable_by_estimate(const DeviceTraits& device, double sample_time) noexcept {
+double most_object_damping(const BorneGains& most, const MassProperties& mass) noexcept {
+  return largest_of_both(most.damping, most.rotational_damping, mass);
+}
+
+BorneGains stable_by_estimate(const DeviceTraits& device, double sample_time,
+                              const Coupling& coupling, const MassProperties& mass) noexcept {
   const double late = sample_time / 2 + device.delay;
   if (!(device.damping > 0) || !(late > 0)) return {};
-  BorneGains out{(device.damping + light_hand) / late};
+  Coupling taken = borne(coupling, borne_by_device(device), mass);
+  if (in_object_norm(taken.mode)) taken.b_r = taken.b_t * felt_turn(mass);
+  if (taken.mode == Coupling::Mode::object) taken.b_t = taken.b_r = 0;
+  const auto counted = [&](double damping, double inertia) {
+    return std::min(damping, counted_damping * inertia / (sample_time + device.delay));
+  };
+  BorneGains out{(device.damping + light_hand + counted(taken.b_t, device.mass)) / late};
   if (device.mass > 0 && device.inertia > 0 && device.rotational_damping > 0)
-    out.rotation = (device.rotational_damping + light_hand * device.inertia / device.mass) / late;
+    out.rotation = (device.rotational_damping + light_hand * device.inertia / device.mass +
+                    counted(taken.b_r, device.inertia)) /
+                   late;
   return out;
 }
 
@@ -50,9 +74,9 @@ Coupling borne(const Coupling& wanted, const BorneGains& most,
   out.k = capped(wanted.k, largest_k(most, mass));
   out.k_t = capped(wanted.k_t, most.translation);
   out.k_r = capped(wanted.k_r, most.rotation);
-  out.b_t = capped(wanted.b_t, wanted.mode == Coupling::Mode::classic
-                                   ? most.damping
-                                   : largest_of_both(most.damping, most.rotational_damping, mass));
+  out.b_t =
+      capped(wanted.b_t, wanted.mode == Coupling::Mode::classic ? most.damping
+                                                                : most_object_damping(most, mass));
   out.b_r = capped(wanted.b_r, most.rotational_damping);
   return out;
 }
@@ -63,13 +87,18 @@ bool is_reduced(const Coupling& borne, const Coupling& wanted) noexcept {
   return by_b || borne.k_t < wanted.k_t || borne.k_r < wanted.k_r || borne.b_r < wanted.b_r;
 }
 
-double share_of_way(const GainGlide& glide, const BorneGains& most,
+double share_of_way(const GainGlide& glide, const DeviceTraits& device, double sample_time,
                     const MassProperties& mass) noexcept {
   const Coupling &from = glide.from(), &to = glide.to();
   if (in_object_norm(from.mode) != in_object_norm(to.mode)) return 1;
-  if (in_object_norm(to.mode)) return share_up_to(from.k, to.k, largest_k(most, mass));
-  return std::min(share_up_to(from.k_t, to.k_t, most.translation),
-                  share_up_to(from.k_r, to.k_r, most.rotation));
+  const BorneGains before = stable_by_estimate(device, sample_time, from, mass);
+  const BorneGains after = stable_by_estimate(device, sample_time, to, mass);
+  // On the way the limit is the lesser of two straight lines, so at no point is it below the
+  // straight line between its ends.
+  if (in_object_norm(to.mode))
+    return share_up_to(from.k, largest_k(before, mass), to.k, largest_k(after, mass));
+  return std::min(share_up_to(from.k_t, before.translation, to.k_t, after.translation),
+                  share_up_to(from.k_r, before.rotation, to.k_r, after.rotation));
 }
 
 }  // namespace sonde

@@ -18,11 +18,18 @@ struct BorneGains {
 /// Those that the device's maker states.
 BorneGains borne_by_device(const DeviceTraits& device) noexcept;
 
+/// The largest damping b_t of the object norm, N·s/m; 0: unknown. What is felt of it in a rotation
+/// is up to 1.2 b_t Î.
+double most_object_damping(const BorneGains& most, const MassProperties& mass) noexcept;
+
 /// The stiffness at which a sampled virtual wall rendered on this handle begins to oscillate along
 /// one axis, held by the lightest hand that a stability study considers: K (T/2 + t_d) = b, with b
-/// the damping of mechanism and hand. Translation and rotation are treated separately, so it is an
-/// estimate, and no replacement for a study. Unknown if the device's damping is unknown.
-BorneGains stable_by_estimate(const DeviceTraits& device, double sample_time) noexcept;
+/// the damping of mechanism, hand and coupling (of that at most m/(T + t_d)/6, with m the inertia;
+/// 0 if it is unknown, since a damper may be too much for a light handle). Translation and rotation
+/// are treated separately, so it is an estimate, and no replacement for a study. Unknown if the
+/// device's damping is unknown.
+BorneGains stable_by_estimate(const DeviceTraits& device, double sample_time,
+                              const Coupling& coupling, const MassProperties& mass) noexcept;
 
 /// The gains `wanted`, reduced so that no stiffness and no damping exceeds `most`. In the object
 /// norm, what is felt in a rotation is up to 1.2 kÎ, and of its damper 1.2 b_t Î.
@@ -32,9 +39,9 @@ Coupling borne(const Coupling& wanted, const BorneGains& most, const MassPropert
 bool is_reduced(const Coupling& borne, const Coupling& wanted) noexcept;
 
 /// The share of the change from old gains to new ones that is allowed in all: as much as leaves
-/// every gain at or below the limit `most`, or at or below its old value. 1 if the change is to the
-/// classic mode or from it.
-double share_of_way(const GainGlide& glide, const BorneGains& most,
+/// every stiffness at or below stable_by_estimate, which the damping changes with it, or no further
+/// above it than before. 1 if the change is to the classic mode or from it.
+double share_of_way(const GainGlide& glide, const DeviceTraits& device, double sample_time,
                     const MassProperties& mass) noexcept;
 
 }  // namespace sonde

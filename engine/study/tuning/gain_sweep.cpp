@@ -34,6 +34,7 @@ Range range_of(const TuningSetup& setup, GainAxis axis) {
     return {setup.low * per, setup.high * per, setup.most_rotational_damping};
   }
   if (axis == GainAxis::object) return {setup.low, setup.high, 0};
+  if (axis == GainAxis::damped) return {setup.low, setup.high, setup.most_object_damping};
   return {setup.low, setup.high,
           damps_turns(axis) ? setup.most_rotational_damping : setup.most_damping};
 }

@@ -47,6 +47,7 @@ struct TuningSetup {
   JointGains joint = {};
   double most_damping = 0;             ///< virtual, N·s/m
   double most_rotational_damping = 0;  ///< N·m·s/rad
+  double most_object_damping = 0;      ///< N·s/m, of the object norm: what the loop would render
 };
 
 /// The recommended stiffness is below the least unstable one by this factor.

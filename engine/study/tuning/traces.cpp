@@ -38,9 +38,10 @@ std::vector<double> damping_of(const TracesRequest& request, const TuningSetup& 
                                GainAxis axis) {
   if (axis == GainAxis::object) return {0};
   if (!request.damping.empty()) return request.damping;
-  if (!(setup.most_damping > 0)) return {0};
+  const double most = most_damping(setup, axis);
+  if (!(most > 0)) return {0};
   std::vector<double> out;
-  for (const double share : damping_of_largest) out.push_back(share * setup.most_damping);
+  for (const double share : damping_of_largest) out.push_back(share * most);
   return out;
 }
 

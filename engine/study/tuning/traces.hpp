@@ -17,7 +17,8 @@ struct TracesRequest {
   /// N/m: k or k_t. Empty: a quarter, a half, one and one and a half times the theoretical limit
   /// without damping, to three digits.
   std::vector<double> stiffness = {};
-  /// N·s/m: b_t, with the classic coupling. Empty: none, a quarter and all of the device's largest.
+  /// N·s/m: b_t, with the classic or damped coupling. Empty: none, a quarter and all of the
+  /// device's largest.
   std::vector<double> damping = {};
   std::optional<ContactKind> kind =
       {};  ///< of the contact; none: the one with the lowest theoretical limit

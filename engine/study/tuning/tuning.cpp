@@ -13,6 +13,7 @@
 #include "engine/base/error.hpp"
 #include "engine/base/threads.hpp"
 #include "engine/body/body.hpp"
+#include "engine/haptics/safety/borne_gains.hpp"
 #include "engine/settings/settings.hpp"
 #include "engine/study/stability/contact_stability.hpp"
 #include "engine/text/json_numbers.hpp"
@@ -104,6 +105,9 @@ TuningSetup setup_of(const TuningRequest& request, const DeviceProfile& device,
   // With the profile's own dampings, whatever is assumed, so that results are comparable.
   out.most_damping = request.device.max_damping.value;
   out.most_rotational_damping = request.device.max_rotational_damping.value;
+  out.most_object_damping = most_object_damping(
+      {.damping = out.most_damping, .rotational_damping = out.most_rotational_damping},
+      request.pair.probe().mass);
   set_base_gains(out);
   return out;
 }

@@ -187,13 +187,22 @@ double unmeasured_limit(const TuningPlan& plan, GainAxis axis, double share) {
   return recommend(results, axis)->stiffness;
 }
 
+/// What the linear contacts allow in a light hand, with the margin of a recommendation.
+double stable_in_theory(const TuningPlan& plan, GainAxis axis, double share) {
+  double out = infinity;
+  for (std::size_t i = 0; i < plan.contacts.situations.size(); ++i)
+    out = std::min(out, theory_limits(tuning_setup(plan, i, hand_grips[0]), axis, share).stable);
+  return out / stability_margin;
+}
+
 /// The stiffest that a damper may allow; among equal ones the least damping.
 std::optional<DamperInTheory> damper_in_theory(const TuningPlan& plan) {
   if (plan.request.coupling.mode != Coupling::Mode::object) return std::nullopt;
   const TuningSetup setup = tuning_setup(plan, hardest(plan), hand_grips[0]);
   std::optional<DamperInTheory> out;
   for (const double share : damping_shares(setup, GainAxis::damped)) {
-    const double stiffness = unmeasured_limit(plan, GainAxis::damped, share);
+    const double stiffness = std::min(unmeasured_limit(plan, GainAxis::damped, share),
+                                      stable_in_theory(plan, GainAxis::damped, share));
     if (share > 0 && (!out || stiffness > out->stiffness))
       out = {stiffness, share * most_damping(setup, GainAxis::damped)};
   }

@@ -84,7 +84,7 @@ class Arguments(unittest.TestCase):
             ({"budget_us": numpy.nan}, "^budget_us must be 0"),
         ):
             self.refused(ValueError, words, lambda: pair.depth(at(1.9), **wrong))
-        for name in ("k", "k_t", "k_r", "max_force", "max_torque"):
+        for name in ("k", "k_t", "k_r", "b_t", "b_r", "max_force", "max_torque"):
             self.refused(
                 ValueError,
                 f"^{name} must be",

@@ -168,6 +168,32 @@ class Pair(unittest.TestCase):
         with self.assertRaises(ValueError):
             pair.wrench(3)
 
+    def test_dampers_are_dashpots_of_a_face_on_a_face(self):
+        pair = boxes()
+        before, now = pair.separate(at(1.91, 0.1, 0.2)), pair.separate(at(1.9, 0.1, 0.2))
+        speed = 0.01 / 1e-3  # further in, m/s
+        rates = {"before": before, "dt": 1e-3}
+        for mode in ("damped", "classic"):
+            gains = {"mode": mode, "k": 300.0, "k_t": 300.0, "b_t": 2.0}
+            still = pair.wrench(now, **gains)
+            numpy.testing.assert_allclose(still[0, 0], 300 * 0.1, rtol=1e-3)
+            moving = pair.wrench(now, **gains, **rates)
+            # The damped mode's fades by a thousandth of the trace of its rows, turns included.
+            numpy.testing.assert_allclose((moving - still)[0, 0], 2 * speed, rtol=1e-2)
+        plain = pair.wrench(now, k=300.0)
+        numpy.testing.assert_array_equal(pair.wrench(now, k=300.0, b_t=2.0, **rates), plain)
+        for reason, given in (
+            ("together", {"before": before}),
+            ("together", {"dt": 1e-3}),
+            ("above 0", {"before": before, "dt": 0.0}),
+            ("before must be a Separation", {"before": 3, "dt": 1e-3}),
+            ("b_t", {"b_t": -1.0}),
+        ):
+            with self.assertRaisesRegex(ValueError, reason):
+                pair.wrench(now, **given)
+        with self.assertRaisesRegex(ValueError, "of must be a Separation"):
+            pair.wrench(pair.depth([at(1.9)]), **rates)
+
     def test_derivatives_are_those_of_central_differences(self):
         pair, pose, step = boxes(), numpy.array([1.9, 0.1, 0.2, *TURNED]), 1e-6
         follower = pair.follower()

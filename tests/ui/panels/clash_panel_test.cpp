@@ -62,7 +62,8 @@ TEST_F(ClashPanelTest, each_clash_is_a_row_with_its_length_and_the_way_out) {
   EXPECT_EQ(cell(1, 3), "5.000 mm") << "the room between them";
   EXPECT_EQ(cell(1, 4) + cell(1, 5), "");
   EXPECT_EQ(cell(2, 5), "too large");
-  EXPECT_TRUE(summary().startsWith("3 parts: ") && summary().contains(", 0 touch, 1 are near."))
+  EXPECT_TRUE(summary().startsWith("3 parts.") &&
+              summary().contains("that touch: 0, that are near: 1."))
       << summary().toStdString();
   panel->take(0.05);
   EXPECT_EQ(panel->findChild<QTreeWidget*>("clash_rows")->topLevelItemCount(), 0)

@@ -210,6 +210,81 @@ TEST(ObjectDamper, on_a_wall_it_is_a_dashpot_that_never_pulls) {
   EXPECT_NEAR(w.force.norm(), 0, 1e-12);
 }
 
+// Two walls at a right angle: what each pushes is the component of the force along its normal.
+TEST(ObjectDamper, pulls_at_none_of_several_contacts) {
+  constexpr double k = 100, depth = 0.002;
+  Separation s = against_wall(depth);
+  s.device.p.x() = -depth;
+  s.contacts.push({Vec3::Zero(), Vec3::Zero(), Vec3::UnitX(), 0, depth});
+  for (const double speed : {0.05, 0.2, 1.0}) {
+    Pose before = s.device;
+    before.p += Vec3(-speed, 0, speed) * sway_tick;  // out of one wall, into the other
+    const Vec3 damped = object_damper(MassProperties{}, Method::pdt, s, before, sway_tick,
+                                      {.mode = Coupling::Mode::damped, .k = k, .b_t = 2})
+                            .force;
+    EXPECT_GE(k * depth + damped.x(), -1e-9) << speed;
+    EXPECT_GT(damped.z(), 0) << speed;
+    EXPECT_LE(damped.dot(s.device.p - before.p), 0) << "it dissipates";
+  }
+}
+
+// A rod without thickness: a turn about it moves nothing, so nothing damps it, and a pose that is
+// turned about it is as deep as it was.
+TEST(ObjectDamper, leaves_out_the_turn_that_moves_no_mass) {
+  MassProperties rod;
+  rod.inertia = {0, 1e-4, 1e-4};
+  rod.radius = 0.02;
+  Separation s;
+  s.status = Status::penetrating;
+  s.device = {rotation_by(Vec3(0.1, 0.2, 0.3)), Vec3(0, 0, -0.002)};
+  s.separated = {s.device.q, Vec3(0, 0, 0)};
+  s.contacts.push({s.device.q * Vec3(0.01, 1e-3, 0), Vec3::Zero(), Vec3::UnitZ(), 0, 0.002});
+  const Coupling gains{.mode = Coupling::Mode::damped, .k = 100, .b_t = 2};
+  const Vec3 axis = s.device.q * Vec3::UnitX();
+  const auto damped = [&](const Separation& separation, const Vec3& turn) {
+    Pose before = separation.device;
+    before.q = rotation_by(turn).conjugate() * before.q;
+    return object_damper(rod, Method::pdg, separation, before, sway_tick, gains);
+  };
+  EXPECT_NEAR(damped(s, 1e-3 * axis).force.norm(), 0, 1e-9);
+  const Wrench across = damped(s, Vec3(0, 1e-3, 0));
+  EXPECT_GT(across.force.norm(), 1e-3);
+  EXPECT_NEAR(across.torque.dot(axis), 0, 1e-12);
+  Separation spun = s;
+  spun.device.q = s.device.q * rotation_by(Vec3(2, 0, 0));
+  EXPECT_LT((damped(spun, Vec3(0, 1e-3, 0)).force - across.force).norm(),
+            1e-9 * across.force.norm());
+}
+
+// A flush face may stand on two opposite corners, and a turn about the line between them then
+// meets no contact. But once it has turned by a few thousandths of the depth, a third carries
+// enough. Three hold the face to its plane, so the separation turns back as fast as the device
+// turns: |ẏ| = √Î ω.
+TEST(ObjectDamper, a_flush_face_that_rocks_is_damped) {
+  const Vec3 size(0.02, 0.03, 0.05);
+  const Pair pair{test::body(test::box(size)), test::body(test::box({0.3, 0.3, 0.1}))};
+  const double depth = 0.002;
+  const Vec3 at(0, 0, 0.075 - depth);
+  CoherentSolver solver(pair, Method::pdg);
+  solver.reset({Quat::Identity(), {0, 0, 0.2}});
+  const auto rate_of = [&](const Vec3& axis, double angle) {
+    Vec6 turn = Vec6::Zero();
+    turn.tail<3>() = axis;
+    const Separation& s = solver.tick({rotation_by(angle * axis), at});
+    return (separation_jacobian(pair.probe().mass, Method::pdg, s) * turn).norm();
+  };
+  for (const double side : {1.0, -1.0}) {
+    const Vec3 diagonal = Vec3(size.x(), side * size.y(), 0).normalized();
+    const double arm = size.x() * size.y() / size.head<2>().norm();
+    const Vec3 moments = Vec3::Constant(size.squaredNorm()) - size.cwiseAbs2();
+    const double whole = std::sqrt(moments.dot(diagonal.cwiseAbs2()) / 12);
+    for (const double rise : {0.003, 0.01, 0.1}) {
+      EXPECT_NEAR(rate_of(diagonal, rise * depth / arm), whole, 0.06 * whole) << side * rise;
+    }
+    rate_of(diagonal, 0);
+  }
+}
+
 // A contact that is about to be lost carries ever less: the damper has let it go before.
 TEST(ObjectDamper, a_contact_that_is_taken_or_lost_makes_no_step) {
   const auto damped = [](double share) {

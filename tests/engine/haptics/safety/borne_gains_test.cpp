@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// References: the largest gains of the header, by hand; K (T/2 + t_d) = b.
+// References: the largest gains of the header, by hand; K (T/2 + t_d) = b; the eigenvalues of one
+// sampled axis.
 #include "engine/haptics/safety/borne_gains.hpp"
 
 #include <gtest/gtest.h>
+
+#include <vector>
+
+#include "engine/study/stability/sampled_stability.hpp"
 
 namespace sonde {
 namespace {
@@ -68,22 +73,94 @@ TEST(BorneGains, a_device_bears_what_its_maker_states) {
   EXPECT_EQ(most.rotational_damping, 0.01);
 }
 
+constexpr double servo_tick = 1e-3;
+
 TEST(BorneGains, the_estimate_is_that_of_one_sampled_axis_in_a_light_hand) {
-  const BorneGains stable = stable_by_estimate({.damping = 2, .delay = 1e-3}, 1e-3);
+  const BorneGains stable =
+      stable_by_estimate({.damping = 2, .delay = 1e-3}, servo_tick, {}, long_probe());
   EXPECT_DOUBLE_EQ(stable.translation, (2 + 1) / 1.5e-3);
   EXPECT_EQ(stable.rotation, 0) << "no motor turns it";
   EXPECT_EQ(stable.damping, 0) << "it says nothing of damping";
-  EXPECT_EQ(stable_by_estimate({}, 1e-3).translation, 0);
+  EXPECT_EQ(stable_by_estimate({}, servo_tick, {}, long_probe()).translation, 0);
 }
 
-TEST(BorneGains, a_damper_does_not_let_an_unstable_spring_through) {
-  const BorneGains most{.translation = 1000};
-  for (const auto from : {Coupling::Mode::object, Coupling::Mode::damped})
-    for (const auto to : {Coupling::Mode::object, Coupling::Mode::damped}) {
-      GainGlide glide(all_at(from, 500));
-      glide.set(all_at(to, 2500));
-      EXPECT_DOUBLE_EQ(share_of_way(glide, most, long_probe()), 0.25);
+/// As the profiles state them: of a delta, of an arm and of a light handle.
+std::vector<DeviceTraits> devices() {
+  return {{.damping = 2,
+           .delay = 1e-3,
+           .max_damping = 30,
+           .max_rotational_damping = 0.07,
+           .rotational_damping = 5e-4,
+           .mass = 0.3,
+           .inertia = 2e-4},
+          {.damping = 0.4,
+           .delay = 1e-3,
+           .max_damping = 5,
+           .max_rotational_damping = 0.004,
+           .rotational_damping = 1.5e-4,
+           .mass = 0.1,
+           .inertia = 5e-5},
+          {.damping = 0.2, .delay = 3e-3, .max_damping = 4, .mass = 0.05, .inertia = 5e-5}};
+}
+
+TEST(BorneGains, with_a_damper_the_estimate_stays_near_the_eigenvalues_or_below) {
+  constexpr double above = 1 / 0.87;
+  for (const DeviceTraits& device : devices())
+    for (const double share : {0.0, 1.0 / 64, 1.0 / 16, 0.25, 1.0}) {
+      const double hand = 1, B = share * device.max_damping;
+      const double turn_hand = hand * device.inertia / device.mass;
+      const double turn_B = share * device.max_rotational_damping;
+      const Coupling gains{.mode = Coupling::Mode::classic, .b_t = B, .b_r = turn_B};
+      const BorneGains got = stable_by_estimate(device, servo_tick, gains, long_probe());
+      const double exact = largest_stable_stiffness(
+          {device.mass, device.damping + hand, B, servo_tick, device.delay});
+      EXPECT_LT(got.translation, above * exact) << device.mass << ' ' << share;
+      if (share <= 1.0 / 16) {
+        EXPECT_GT(got.translation, 0.95 * exact) << device.mass << ' ' << share;
+      }
+      if (!(device.rotational_damping > 0)) continue;
+      const double turning =
+          largest_stable_stiffness({device.inertia, device.rotational_damping + turn_hand, turn_B,
+                                    servo_tick, device.delay});
+      EXPECT_LT(got.rotation, above * turning) << device.inertia << ' ' << share;
     }
+}
+
+TEST(BorneGains, a_damper_for_a_handle_of_unknown_mass_is_not_counted) {
+  const DeviceTraits device{.damping = 2, .delay = 1e-3};
+  EXPECT_EQ(stable_by_estimate(device, servo_tick, all_at(Coupling::Mode::classic, 3), long_probe())
+                .translation,
+            stable_by_estimate(device, servo_tick, all_at(Coupling::Mode::classic, 0), long_probe())
+                .translation);
+}
+
+Coupling in_norm(Coupling::Mode mode, double k, double b = 0) {
+  return {.mode = mode, .k = k, .b_t = b};
+}
+
+double share(const Coupling& from, const Coupling& to) {
+  GainGlide glide(from);
+  glide.set(to);
+  // 2000 N/m without a damper, 667 more for 1 N·s/m; and no limit of rotation.
+  return share_of_way(glide, {.damping = 2, .delay = 1e-3, .mass = 0.3}, servo_tick, long_probe());
+}
+
+TEST(BorneGains, a_stiffness_above_its_limit_waits) {
+  for (const auto from : {Coupling::Mode::object, Coupling::Mode::damped})
+    for (const auto to : {Coupling::Mode::object, Coupling::Mode::damped})
+      EXPECT_NEAR(share(in_norm(from, 1500), in_norm(to, 3500)), 0.25, 1e-12);
+  EXPECT_EQ(share(in_norm(Coupling::Mode::object, 500), in_norm(Coupling::Mode::object, 2000)), 1);
+  EXPECT_EQ(share(in_norm(Coupling::Mode::object, 9000), in_norm(Coupling::Mode::object, 8000)), 1);
+  EXPECT_EQ(share(in_norm(Coupling::Mode::object, 8000), in_norm(Coupling::Mode::object, 9000)), 0);
+}
+
+TEST(BorneGains, a_damper_lets_its_spring_by_and_waits_where_it_is_needed) {
+  const auto object = Coupling::Mode::object, damped = Coupling::Mode::damped;
+  EXPECT_EQ(share(in_norm(object, 500), in_norm(damped, 3900, 3)), 1) << "stable thanks to it";
+  EXPECT_NEAR(share(in_norm(damped, 3000, 3), in_norm(object, 3000)), 0.5, 1e-12);
+  EXPECT_NEAR(share(in_norm(damped, 3000, 3), in_norm(damped, 3000, 0)), 0.5, 1e-12);
+  EXPECT_EQ(share(in_norm(damped, 1900, 3), in_norm(object, 1900)), 1) << "not needed";
+  EXPECT_EQ(share(in_norm(damped, 3000, 3), in_norm(object, 1900)), 1) << "falls with the spring";
 }
 
 }  // namespace
