@@ -46,12 +46,13 @@ class Watchdog {
     task_ = std::to_string(syscall(SYS_gettid));
     ear_.heard = [this] { handled_ = true; };
     application().painting = [this](bool begins) { painted(begins); };
+    application().resizing = [this](bool begins) { resized(begins); };
     thread_ = std::thread([this] { run(); });
   }
   ~Watchdog() {
     stopping_ = true;
     thread_.join();
-    application().painting = nullptr;
+    application().painting = application().resizing = nullptr;
     for (auto& [window, seen] : seen_)
       if (seen.widget) window->RemoveObserver(seen.command);
   }
@@ -163,10 +164,21 @@ class Watchdog {
     shown_ = shown_ + std::max(asleep, 0.0);
   }
 
+  /// Around VTK's own picture, what OpenGL does for a canvas of another size: memory, and, drawing
+  /// by processor, the programs that it translates.
+  void resized(bool begins) {
+    if (begins) {
+      resize_ = {Clock::now(), 0, waited(), drawn_};
+      return;
+    }
+    const double ms = ms_since(resize_.begin) - (waited() - resize_.waited);
+    drawn_ = std::max(double(drawn_), resize_.drawn + ms);
+  }
+
   struct Paint {
     Clock::time_point begin;
     double processor = 0, waited = 0, drawn = 0;
-  } paint_;
+  } paint_, resize_;
   std::string task_;
   Ear ear_;
   std::atomic<bool> handled_{false}, stopping_{false};

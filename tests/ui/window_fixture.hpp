@@ -9,6 +9,7 @@
 #include <QElapsedTimer>
 #include <QImage>
 #include <QMouseEvent>
+#include <QOpenGLWidget>
 #include <QPalette>
 #include <QSettings>
 #include <QSurfaceFormat>
@@ -35,19 +36,26 @@ inline constexpr int patience_ms = 120'000;
 inline constexpr int patience_ms = 30'000;
 #endif
 
-/// Tells when a window paints itself and hands its picture to the display.
+/// Tells when a window paints itself and hands its picture to the display, and when a canvas of
+/// OpenGL takes another size: Qt and VTK draw it anew within that event.
 class TestApplication : public QApplication {
  public:
   using QApplication::QApplication;
   bool notify(QObject* to, QEvent* event) override {
     const bool paints = event->type() == QEvent::UpdateRequest || event->type() == QEvent::Expose;
-    if (!paints || !painting) return QApplication::notify(to, event);
-    painting(true);
+    if (paints) return told(painting, to, event);
+    const bool resizes = event->type() == QEvent::Resize && qobject_cast<QOpenGLWidget*>(to);
+    return resizes ? told(resizing, to, event) : QApplication::notify(to, event);
+  }
+  std::function<void(bool begins)> painting, resizing;
+
+ private:
+  bool told(const std::function<void(bool)>& tell, QObject* to, QEvent* event) {
+    if (tell) tell(true);
     const bool handled = QApplication::notify(to, event);
-    if (painting) painting(false);
+    if (tell) tell(false);
     return handled;
   }
-  std::function<void(bool begins)> painting;
 };
 
 /// As the program is unless another theme is chosen: dark.

@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QProcess>
 #include <functional>
+#include <future>
 #include <memory>
 
 #include "ui/actions/export_control.hpp"
@@ -29,6 +30,7 @@ struct ExportControl::Animation {
   int next = 0;
   QElapsedTimer since;
   std::unique_ptr<QProcess> film;
+  std::future<void> writing;  ///< of the picture before the next
 };
 
 }  // namespace sonde::ui

@@ -7,6 +7,7 @@
 #include <QFileDialog>
 #include <QProcess>
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <utility>
 
@@ -94,13 +95,18 @@ void ExportControl::ended(const QString& file, const std::exception_ptr& error) 
 }
 
 void ExportControl::export_picture() {
-  if (!drawn_ || !instant()) return;
+  if (!may_begin()) return;
   const auto wanted = ask_picture(ExportDialog::Of::picture);
   if (!wanted) return;
   const QString file = ask_file(QStringLiteral("Export a picture"), QStringLiteral("sonde.png"),
                                 QStringLiteral("Pictures (*.png)"));
   if (file.isEmpty() || !drawn_ || !instant()) return;
-  write(file, [&] { write_image(path_of(file), viewport_.picture(*instant(), wanted->options)); });
+  job_.start(
+      QStringLiteral("Exporting a picture"),
+      [file, image = viewport_.picture(*instant(), wanted->options)](const Progress& progress) {
+        write_image(path_of(file), image, progress);
+      },
+      [this, file](const std::exception_ptr& error) { ended(file, error); });
 }
 
 void ExportControl::export_tables() {
@@ -176,28 +182,34 @@ void ExportControl::animate(std::unique_ptr<Animation> animation) {
     finish({});
   });
   animation_->since.start();
-  timer_.start(0);
+  timer_.start(1);  // ms
 }
 
-/// One a turn of the event loop: Esc and the window work meanwhile.
+/// One a turn of the event loop, once the one before is written, by another thread: Esc and the
+/// window work meanwhile.
 void ExportControl::draw_next() {
   Animation& a = *animation_;
   try {
+    if (a.writing.valid()) {
+      if (a.writing.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+      a.writing.get();
+    }
+    if (a.next == a.count) {
+      timer_.stop();
+      return a.wanted.film ? make_film() : finish({});
+    }
     const Animation::Picture picture = a.picture(a.next);
     PictureOptions options = a.wanted.options;
     options.swing = picture.swing;
     const QString name = QStringLiteral("frame_%1.png").arg(a.next, 4, 10, QLatin1Char('0'));
-    write_image(a.folder.path() / name.toStdString(), viewport_.picture(picture.instant, options));
+    a.writing = std::async(std::launch::async, write_image, a.folder.path() / name.toStdString(),
+                           viewport_.picture(picture.instant, options), Progress());
   } catch (const std::exception& bad) {
     return finish(QString::fromUtf8(bad.what()));
   }
   ++a.next;
   if (a.next > patient_pictures && !progress_->isVisible()) progress_->show();
   progress_->show_progress(double(a.next) / a.count, 1e-3 * double(a.since.elapsed()));
-  if (a.next < a.count) return;
-  timer_.stop();
-  if (a.wanted.film) return make_film();
-  finish({});
 }
 
 void ExportControl::make_film() {

@@ -169,8 +169,9 @@ TEST_F(ExportTest, a_table_beside_the_chosen_one_is_not_replaced_unasked) {
   }
 }
 
-TEST_F(ExportTest, a_cancelled_gltf_or_table_leaves_no_file) {
-  for (const char* action : {"export_gltf", "export_recording_tables", "export_vtk"}) {
+TEST_F(ExportTest, a_cancelled_export_leaves_no_file) {
+  for (const char* action :
+       {"export_gltf", "export_picture", "export_recording_tables", "export_vtk"}) {
     SCOPED_TRACE(action);
     target = path("cancelled");
     // Those of before go with the event loop.
