@@ -173,6 +173,17 @@ constexpr Event events[] = {
        p.know_damping();
        p.set(c);
      }},
+    {"a spring with a damper, then without it",
+     [](Pressed& p) {
+       Coupling c = soft();
+       c.mode = Coupling::Mode::damped;
+       c.k = 400;
+       c.b_t = 2;
+       p.set(c);
+       p.run(3);
+       c.b_t = 0;
+       p.set(c);
+     }},
     {"a stiffer spring while the force is off",
      [](Pressed& p) {
        Coupling c = soft();
@@ -237,16 +248,22 @@ TEST_P(NeverThrown, and_the_gains_do_change) {
     }
 }
 
+/// s: of half a tick, and from a sample to the motors.
+double late_by(const DeviceProfile& p) { return dt / 2 + p.delay.value; }
+
 /// Reference: K (T/2 + t_d) = b of mechanism and light hand; the probe feels k in translation, and
 /// at most 1.2 kÎ in rotation.
+double stable_without_damper(const DeviceProfile& p) {
+  const double turn = body(box({0.02, 0.03, 0.05}))->mass.inertia.maxCoeff();
+  const double most = (p.damping.value + 1) / late_by(p);
+  if (!(p.max_torque.value > 0)) return most;
+  const double turning = p.rotational_damping.value + p.inertia.value / p.mass.value;
+  return std::min(most, turning / late_by(p) / (1.2 * turn));
+}
+
 TEST_P(NeverThrown, gains_beyond_the_stable_wait_until_the_contact_is_left) {
   const DeviceProfile p = profile_named(GetParam());
-  const double late = dt / 2 + p.delay.value;
-  const double turn = body(box({0.02, 0.03, 0.05}))->mass.inertia.maxCoeff();
-  double most = (p.damping.value + 1) / late;
-  if (p.max_torque.value > 0)
-    most = std::min(
-        most, (p.rotational_damping.value + p.inertia.value / p.mass.value) / late / (1.2 * turn));
+  const double most = stable_without_damper(p);
   Pressed pressed(p, grips[1]);
   Coupling stiff = soft();
   stiff.k = 20 * most;
@@ -258,6 +275,32 @@ TEST_P(NeverThrown, gains_beyond_the_stable_wait_until_the_contact_is_left) {
   pressed.run(1);
   EXPECT_FALSE(pressed.waiting());
   EXPECT_EQ(pressed.gains().k, stiff.k) << "wanted; what the device bears caps it in the loop";
+}
+
+// A damper b in the same directions allows b / (T/2 + t_d) more.
+TEST_P(NeverThrown, a_damper_that_the_spring_needs_stays_until_the_contact_is_left) {
+  constexpr double b = 2, needed = 0.45;  // of it
+  const DeviceProfile p = profile_named(GetParam());
+  Pressed pressed(p, grips[1]);
+  Coupling damped = soft();
+  damped.mode = Coupling::Mode::damped;
+  damped.k = stable_without_damper(p) + needed * b / late_by(p);
+  damped.b_t = b;
+  pressed.set(damped);
+  pressed.run(8);
+  EXPECT_FALSE(pressed.waiting());
+  EXPECT_EQ(pressed.gains().k, damped.k);
+  Coupling bare = damped;
+  bare.b_t = 0;
+  pressed.set(bare);
+  pressed.run(3);
+  EXPECT_TRUE(pressed.waiting());
+  EXPECT_NEAR(pressed.gains().b_t, needed * b, 0.01 * b);
+  EXPECT_LE(pressed.pushed(), most_speed);
+  pressed.leave();
+  pressed.run(1);
+  EXPECT_FALSE(pressed.waiting());
+  EXPECT_EQ(pressed.gains().b_t, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, NeverThrown,
