@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -164,10 +165,9 @@ void declare_wrenches(py::module_& module, PairClass& pair) {
           "Force (N) and torque (N m, about the probe's centre of mass) on the hand, in the fixed\n"
           "frame, (n, 6), of Depths or a Separation of this pair. mode \"object\": k in N/m;\n"
           "\"classic\": k_t in N/m and k_r in N m/rad; \"damped\": k. With the Separation of this\n"
-          "pair that was `before`, `dt` s ago, the dampers are added: b_t in N s/m, of "
-          "\"classic\"\n"
-          "and \"damped\", and b_r in N m s/rad, of \"classic\". (That of \"damped\" is of\n"
-          "separations that may turn.)")
+          "pair that was `before`, `dt` s ago, the dampers are added: b_t in N s/m, of both\n"
+          "\"classic\" and \"damped\" (there of separations that may turn), and b_r in\n"
+          "N m s/rad, of \"classic\".")
       .def("derivative", &pair_derivative, "of"_a,
            "How the depth (6,) and the wrench (6, 6), at k = 1, of a Separation of this pair\n"
            "change with its pose: by a displacement of the probe's centre of mass, m, and a\n"

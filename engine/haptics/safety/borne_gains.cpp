@@ -7,8 +7,9 @@ namespace sonde {
 namespace {
 
 constexpr double light_hand = 1;  // N·s/m; for rotations times inertia / mass
-/// Of inertia over sample time and delay, by which virtual damping is itself late: at more of it,
-/// the estimate would be more than a tenth above what the eigenvalues of an axis allow.
+/// Of inertia over sample time and delay, by which virtual damping is itself late: the estimate is
+/// then up to a fifth above what the eigenvalues of an axis allow; with twice as much counted, up
+/// to two fifths.
 constexpr double counted_damping = 1.0 / 6;
 constexpr double most_felt_turn = 1.2;  // factor on kÎ, from real contacts
 

@@ -259,7 +259,7 @@ TEST(ObjectDamper, leaves_out_the_turn_that_moves_no_mass) {
 // A flush face may stand on two opposite corners, and a turn about the line between them then
 // meets no contact. But once it has turned by a few thousandths of the depth, a third carries
 // enough. Three hold the face to its plane, so the separation turns back as fast as the device
-// turns: |ẏ| = √Î ω.
+// turns: |ẏ| = √Î ω, less what fades of the third.
 TEST(ObjectDamper, a_flush_face_that_rocks_is_damped) {
   const Vec3 size(0.02, 0.03, 0.05);
   const Pair pair{test::body(test::box(size)), test::body(test::box({0.3, 0.3, 0.1}))};

@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include <vector>
+#include <algorithm>
+#include <cmath>
+#include <string>
 
+#include "engine/geometry/random.hpp"
 #include "engine/study/stability/sampled_stability.hpp"
 
 namespace sonde {
@@ -84,46 +87,38 @@ TEST(BorneGains, the_estimate_is_that_of_one_sampled_axis_in_a_light_hand) {
   EXPECT_EQ(stable_by_estimate({}, servo_tick, {}, long_probe()).translation, 0);
 }
 
-/// As the profiles state them: of a delta, of an arm and of a light handle.
-std::vector<DeviceTraits> devices() {
-  return {{.damping = 2,
-           .delay = 1e-3,
-           .max_damping = 30,
-           .max_rotational_damping = 0.07,
-           .rotational_damping = 5e-4,
-           .mass = 0.3,
-           .inertia = 2e-4},
-          {.damping = 0.4,
-           .delay = 1e-3,
-           .max_damping = 5,
-           .max_rotational_damping = 0.004,
-           .rotational_damping = 1.5e-4,
-           .mass = 0.1,
-           .inertia = 5e-5},
-          {.damping = 0.2, .delay = 3e-3, .max_damping = 4, .mass = 0.05, .inertia = 5e-5}};
+/// Evenly by ratio.
+double between(Random& random, double low, double high) {
+  return low * std::exp(random.uniform(0, std::log(high / low)));
 }
 
-TEST(BorneGains, with_a_damper_the_estimate_stays_near_the_eigenvalues_or_below) {
-  constexpr double above = 1 / 0.87;
-  for (const DeviceTraits& device : devices())
-    for (const double share : {0.0, 1.0 / 64, 1.0 / 16, 0.25, 1.0}) {
-      const double hand = 1, B = share * device.max_damping;
-      const double turn_hand = hand * device.inertia / device.mass;
-      const double turn_B = share * device.max_rotational_damping;
-      const Coupling gains{.mode = Coupling::Mode::classic, .b_t = B, .b_r = turn_B};
-      const BorneGains got = stable_by_estimate(device, servo_tick, gains, long_probe());
-      const double exact = largest_stable_stiffness(
-          {device.mass, device.damping + hand, B, servo_tick, device.delay});
-      EXPECT_LT(got.translation, above * exact) << device.mass << ' ' << share;
-      if (share <= 1.0 / 16) {
-        EXPECT_GT(got.translation, 0.95 * exact) << device.mass << ' ' << share;
-      }
-      if (!(device.rotational_damping > 0)) continue;
-      const double turning =
-          largest_stable_stiffness({device.inertia, device.rotational_damping + turn_hand, turn_B,
-                                    servo_tick, device.delay});
-      EXPECT_LT(got.rotation, above * turning) << device.inertia << ' ' << share;
-    }
+// None of the devices that ship. A damper is late itself; more than is counted only allows more, up
+// to some m/(T + t_d), where it swings by itself.
+TEST(BorneGains, with_a_damper_the_estimate_is_at_most_a_fifth_above_the_eigenvalues) {
+  Random random(5);
+  double worst = 0;
+  for (int i = 0; i < 400; ++i) {
+    const double tick = between(random, 2.5e-4, 2e-3), delay = between(random, 1e-4, 5e-3);
+    const double mass = between(random, 0.02, 2), inertia = between(random, 2e-5, 2e-3);
+    const double own = between(random, 0.01, 0.1) / (tick + delay);
+    const double coupled = between(random, 0.01, 1) / (tick + delay);
+    const DeviceTraits device{.damping = own * mass,
+                              .delay = delay,
+                              .rotational_damping = own * inertia,
+                              .mass = mass,
+                              .inertia = inertia};
+    const double B = coupled * mass, turn_B = coupled * inertia;
+    const BorneGains got = stable_by_estimate(
+        device, tick, {.mode = Coupling::Mode::classic, .b_t = B, .b_r = turn_B}, long_probe());
+    const double hand = 1, turn_hand = hand * inertia / mass;
+    const double exact = largest_stable_stiffness({mass, device.damping + hand, B, tick, delay});
+    const double turning = largest_stable_stiffness(
+        {inertia, device.rotational_damping + turn_hand, turn_B, tick, delay});
+    worst = std::max({worst, got.translation / exact, got.rotation / turning});
+  }
+  RecordProperty("worst", std::to_string(worst));
+  EXPECT_GT(worst, 1) << "none were near the limit";
+  EXPECT_LT(worst, 1.2);
 }
 
 TEST(BorneGains, a_damper_for_a_handle_of_unknown_mass_is_not_counted) {
