@@ -27,6 +27,7 @@ struct Options {
   Budget budget;
   int runs = 3;
   int knots = 0;
+  int held = 1;
 };
 
 std::vector<Tick> follow(const TickCase& c, const Options& o) {
@@ -46,7 +47,15 @@ std::vector<Tick> follow(const TickCase& c, const Options& o) {
   return ticks;
 }
 
-void measure(const TickCase& c, const Options& o) {
+/// The device moves once in so many ticks and rests in the others, as one does that a mouse moves.
+TickCase with_rests(TickCase c, int held) {
+  for (std::size_t i = 0; i < c.path.size(); ++i)
+    c.path[i].pose = c.path[i - i % static_cast<std::size_t>(held)].pose;
+  return c;
+}
+
+void measure(const TickCase& smooth, const Options& o) {
+  const TickCase c = with_rests(smooth, o.held);
   const std::vector<Tick> ticks = follow(c, o);
   std::fputs(table_row(c, ticks).c_str(), stdout);
   std::fflush(stdout);
@@ -88,6 +97,8 @@ int main(int argc, char** argv) {
   app.add_option("--runs", o.runs, "the least of so many counts")->capture_default_str();
   app.add_option("--budget-us", o.budget.microseconds, "of a tick, by the clock; 0: none");
   app.add_option("--work", o.budget.work, "units of work of a tick; 0: no limit");
+  app.add_option("--held", o.held, "ticks from one motion of the device to the next")
+      ->check(CLI::PositiveNumber);
   app.add_option("--knots", o.knots,
                  "instead of the scene's bodies, the knots of torus-knots with so many triangles");
   app.add_option("--csv", o.csv, "file for the ticks of the last scene");

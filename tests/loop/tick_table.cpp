@@ -81,18 +81,21 @@ std::string table_head() {
   return "| scene | triangles | in contact | median | in contact | p99 | p99.9 | longest | jumps "
          "| not converged | steps | p99.9 in contact | not converged in contact, % "
          "| tangential / normal | least force up, N | work on the hand, % | lost but at jumps, % "
-         "|\n"
-         "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+         "| longest not converged, ticks |\n"
+         "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
 }
 
 std::string table_row(const TickCase& c, const std::vector<Tick>& ticks) {
   std::vector<double> all, contact;
   int jumps = 0, unconverged = 0, unconverged_in_contact = 0, steps = 0;
+  int in_a_row = 0, most_in_a_row = 0;
   for (const Tick& t : ticks) {
     all.push_back(t.us);
     if (in_contact(t)) contact.push_back(t.us);
     jumps += t.separation.jumped;
     unconverged += !t.separation.converged;
+    in_a_row = t.separation.converged ? 0 : in_a_row + 1;
+    most_in_a_row = std::max(most_in_a_row, in_a_row);
     unconverged_in_contact += in_contact(t) && !t.separation.converged;
     steps += t.separation.iterations;
   }
@@ -114,6 +117,7 @@ std::string table_row(const TickCase& c, const std::vector<Tick>& ticks) {
   cell(text("%.3g", f.least_up));
   cell(text("%.2f", 100 * f.work));
   cell(text("%.2f", 100 * f.lost));
+  cell(std::to_string(most_in_a_row));
   return out + " |\n";
 }
 

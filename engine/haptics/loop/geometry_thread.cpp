@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/haptics/loop/geometry_thread.hpp"
 
+#include <chrono>
+
 #include "engine/haptics/loop/loop_tuning.hpp"
+#include "engine/haptics/loop/refresh_limit.hpp"
 #include "engine/platform/real_time.hpp"
 
 namespace sonde {
@@ -12,6 +15,13 @@ StaticOptions quick_search() {
   options.starts = loop_tuning.starts_at_begin;
   options.agreement = loop_tuning.agreement_at_begin;
   return options;
+}
+
+/// Linux stops real-time threads that take more than 95 % of a second (sched_rt_runtime_us) for the
+/// rest of that second: 50 ms, longer than rows may age. So a thread that is busy without pause
+/// rests for a tenth of its time.
+void rest(double busy_us) noexcept {
+  std::this_thread::sleep_for(std::chrono::duration<double, std::micro>(busy_us / 9));
 }
 
 }  // namespace
@@ -61,15 +71,19 @@ void GeometryThread::run() noexcept {
     request_processor(LoopThread::geometry);
   }
   std::int32_t seen = 0;
+  RefreshLimit limit;
   for (;;) {
     asked_.wait(seen, std::memory_order_acquire);
     seen = asked_.load(std::memory_order_acquire);
     if (stopping_.load(std::memory_order_relaxed)) return;
     if (!requests_.update()) continue;
     const Request& request = requests_.front();
-    budget_.microseconds = budget_us_.load(std::memory_order_relaxed);
+    budget_.microseconds = limit.of(budget_us_.load(std::memory_order_relaxed));
     feed_.time_phases(time_phases_.load(std::memory_order_relaxed));
-    contacts_.write(feed_.refresh(request.X_FM, request.tick, request.time, budget_));
+    const LocalContacts& found = feed_.refresh(request.X_FM, request.tick, request.time, budget_);
+    limit.learn(found.separation.converged);
+    contacts_.write(found);
+    if (real_time_ && asked_.load(std::memory_order_relaxed) != seen) rest(found.refresh_us);
   }
 }
 

@@ -71,12 +71,13 @@ Withheld HandLoop::fault(const HandSample& sample, const LocalContacts& contacts
                          const Clock& clock) const noexcept {
   if (const Withheld own = fault(sample); own != Withheld::nothing) return own;
   if (const Withheld late = overdue(contacts, clock); late != Withheld::nothing) return late;
-  return unsettled(contacts.separation) ? Withheld::unsettled : Withheld::nothing;
+  return is_unsettled() ? Withheld::unsettled : Withheld::nothing;
 }
 
-bool HandLoop::unsettled(const Separation& found) const noexcept {
+bool HandLoop::is_unsettled() const noexcept {
+  const Separation& found = out_.separation;
   if (found.converged || !(force_error_ > 0)) return false;
-  // The part of y that the contacts do not hold is the possible error of the answer.
+  // The part of y that the rows do not hold is how far the probe lags behind.
   const Coupling& c = coupler_.coupling();
   const double stiffness = in_object_norm(c.mode) ? c.k : c.k_t;
   return stiffness * found.residual * found.depth > force_error_;

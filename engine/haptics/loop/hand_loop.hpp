@@ -104,9 +104,11 @@ class HandLoop {
   /// The part that concerns the hand alone.
   Withheld fault(const HandSample& sample) const noexcept;
   Withheld overdue(const LocalContacts& contacts, const Clock& clock) const noexcept;
-  /// True if the geometry's answer has not converged and the error of its force may exceed the
-  /// limit.
-  bool unsettled(const Separation& found) const noexcept;
+  /// True if the geometry's answer has not converged, and the probe lags behind its optimum by so
+  /// much that the error of the force may exceed the limit. While the rows reach from the pose that
+  /// the geometry got to up to their optimum, that optimum gives the force, as for rows that are
+  /// some ticks old (separate_locally).
+  bool is_unsettled() const noexcept;
   void follow(const HandSample& sample, double dt) noexcept;
   void set_change_rate(const HandSample& sample) noexcept;
   /// Measures the hand's motion in this tick, from which the permitted change of the wrench

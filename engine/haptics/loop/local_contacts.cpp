@@ -131,7 +131,10 @@ LocalAnswer separate_locally(const MassProperties& mass, Method method,
   found.iterations = known.iterations;
   found.converged = known.converged;
   const double length = solution.y.norm();
-  found.residual = length > 0 ? (solution.y - solution.nearest.y).norm() / length : 0;
+  if (!solution.nearest.feasible)
+    found.residual = known.residual;
+  else
+    found.residual = length > 0 ? (solution.y - solution.nearest.y).norm() / length : 0;
   return {make_separation(chart, found), solution.held_back};
 }
 

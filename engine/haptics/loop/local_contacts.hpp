@@ -38,7 +38,10 @@ struct LocalContacts {
 
 /// The answer of the rows at another device pose.
 struct LocalAnswer {
-  Separation separation;  ///< of the new device pose; iterations and converged are the geometry's
+  /// Of the new device pose; iterations and converged are the geometry's. The residual is the part
+  /// of y that the rows do not hold: 0 unless the answer is held back. If the rows have no common
+  /// point, it is the geometry's.
+  Separation separation;
   /// The half-spaces of the rows have no common point, or the solution is farther from the
   /// geometry's separated pose than the rows are trusted (LoopTuning::trusted). The answer then
   /// goes only as far as that, so the force is that of a probe that lags behind.

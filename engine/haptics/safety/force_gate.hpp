@@ -17,7 +17,7 @@ enum class Withheld {
   not_finite,  ///< the device pose, or a force, is not a number
   failed,      ///< no separated pose was found
   stalled,     ///< the geometry has not answered for too long
-  unsettled,   ///< its answer has not converged: the force fades, and may not be zero yet
+  unsettled,   ///< its answer has not converged, and lags: the force fades, may not be zero yet
   diverged,    ///< the force threw the hand, which is still in contact or fast
   shut_down,   ///< the loop has ended
 };

@@ -11,9 +11,12 @@
 #include <cmath>
 #include <cstdio>
 #include <numeric>
+#include <sstream>
+#include <tuple>
 
 #include "engine/scene/path_hand.hpp"
 #include "tests/support/allocation_counter.hpp"
+#include "tests/support/fitted_parts.hpp"
 #include "tests/ui/window_fixture.hpp"
 #include "ui/actions/stiffness_control.hpp"
 #include "ui/base/resources.hpp"
@@ -22,6 +25,8 @@
 
 namespace sonde::ui::test {
 namespace {
+
+using namespace sonde::test;
 
 constexpr const char* servo_threads[] = {"sonde-servo", "sonde-geometry"};
 
@@ -53,11 +58,15 @@ class Soak : public WindowTest {
     std::size_t frames = 0;
   };
 
-  void open_torus_knots() {
-    open({QStringLiteral(SONDE_RESOURCES "/scenes/torus-knots.sonde.json")});
-    window->devices().choose(find_source("sigma.7", device_profile_folders()));
+  void open_bundled(const std::string& name) {
+    open({QString::fromStdString(SONDE_RESOURCES "/scenes/" + name + ".sonde.json")});
     path = window->session()->loaded().trajectory;
     ASSERT_GE(path.size(), 2u);
+  }
+  void take_arm() { window->devices().choose(find_source("sigma.7", device_profile_folders())); }
+  void open_torus_knots() {
+    open_bundled("torus-knots");
+    take_arm();
   }
 
   /// The hand goes along the path in its own time, forwards and backwards in turn.
@@ -156,6 +165,60 @@ TEST_F(Soak, Soak_ten_minutes_of_torus_knots) {
   print(run, 600);
   expect_sound(run);
 }
+
+std::string in_off(const PolygonSoup& soup) {
+  std::ostringstream text;
+  text.precision(12);
+  text << "OFF\n" << soup.points.size() << ' ' << soup.polygons.size() << " 0\n";
+  for (const Vec3& p : soup.points) text << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+  for (const Polygon& polygon : soup.polygons) {
+    text << polygon.size();
+    for (const auto corner : polygon) text << ' ' << corner;
+    text << '\n';
+  }
+  return text.str();
+}
+
+/// Parts with little room between them, held by an arm or dragged with the mouse.
+class TightFit : public Soak, public testing::WithParamInterface<std::tuple<const char*, bool>> {
+ protected:
+  /// A shaft of 20 mm in a bore with a thousandth of its radius as room, in and out, pressed aside
+  /// and tilted meanwhile.
+  void open_shaft(double seconds) {
+    const Section shaft = regular_section(96, 0.01);
+    folder.write("shaft.off", in_off(fitted_plug(shaft, 0.02, {})));
+    folder.write("bore.off", in_off(fitted_socket(grown(shaft, 1e-5), 2, 0.015, {})));
+    open({QString::fromStdString(folder
+                                     .write("shaft.sonde.json", R"({"unit": "m",
+        "probe": {"mesh": "shaft.off", "pose": [0, 0, 0.04, 1, 0, 0, 0]},
+        "fixed": {"mesh": "bore.off", "pose": [0, 0, 0, 1, 0, 0, 0]},
+        "coupling": {"mode": "object", "k": 800}})")
+                                     .string())});
+    const auto poses = fitted_path({.from = 0.04, .to = 0.005, .aside = 1e-3, .tilt = 0.03}, 6000);
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      path.push_back({seconds * double(i) / double(poses.size()), poses[i]});
+  }
+};
+
+TEST_P(TightFit, Soak_a_minute_of_force) {
+  const auto [scene, arm] = GetParam();
+  const double seconds = std::getenv("SECS") ? std::atof(std::getenv("SECS")) : 60;
+  if (std::string(scene) == "shaft")
+    open_shaft(seconds / 2);
+  else
+    open_bundled(scene);
+  if (arm) take_arm();
+  const Run run = run_for(seconds);
+  print(run, seconds);
+  expect_sound(run);
+  std::uint64_t without = 0;
+  for (std::size_t i = 1; i < run.ticks.withheld.size(); ++i) without += run.ticks.withheld[i];
+  EXPECT_LE(1000 * without, run.ticks.seen);
+}
+
+INSTANTIATE_TEST_SUITE_P(, TightFit,
+                         testing::Combine(testing::Values("peg-in-hole", "nut-on-bolt", "shaft"),
+                                          testing::Bool()));
 
 }  // namespace
 }  // namespace sonde::ui::test
