@@ -29,7 +29,9 @@ class TriangleBatch {
   int size() const { return count_; }
 
   /// @pre The batch is not full.
-  void add(std::uint32_t i, std::uint32_t j) { add({i, j, 0}, placed(i), corners(surface(b_), j)); }
+  void add(std::uint32_t i, std::uint32_t j, std::uint32_t tag = 0) {
+    add({i, j, tag}, placed(i), corners(surface(b_), j));
+  }
   void add(const Pair& pair, const Corners& a, const Corners& b) {
     set_lane(lanes_, count_, a, b);
     pairs_[static_cast<std::size_t>(count_++)] = pair;

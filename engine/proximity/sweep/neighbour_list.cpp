@@ -104,12 +104,16 @@ NearPairs NeighbourList::near(const Transform& X, double reach, std::span<NearPa
   std::size_t found = 0;
   const auto look = [&] {
     effort.spend(TriangleBatch::work * batch.size());
-    batch.flush(reach, [&](const TriangleBatch::Pair& pair, int k, const ClosestPoints8& points) {
-      if (points.distance[k] > reach || !(points.distance[k] > 0)) return;
-      const NearPair near = near_pair(pair, k, points);
-      if (found == out.size()) found = keep_nearer_half(out, reach);
-      out[found++] = near;
-    });
+    batch.flush(infinity,
+                [&](const TriangleBatch::Pair& pair, int k, const ClosestPoints8& points) {
+                  if (!(points.distance[k] > 0)) return;
+                  // The direction that is known for the pair says too little: the next look would
+                  // compare the pair again, and a limit that ends this look would end that one too.
+                  if (points.distance[k] > reach) return set_normal(pair.tag, normal(points, k));
+                  const NearPair near = near_pair(pair, k, points);
+                  if (found == out.size()) found = keep_nearer_half(out, reach);
+                  out[found++] = near;
+                });
   };
   each_due({}, reach + rounding, [&](std::size_t k) {
     if (!effort.spend(work_to_look)) return;
@@ -118,7 +122,7 @@ NearPairs NeighbourList::near(const Transform& X, double reach, std::span<NearPa
     learn(k, *std::min_element(gap, gap + block), rounding);
     for (std::size_t lane = 0; lane < size_of(k); ++lane) {
       if (gap[lane] > reach + rounding) continue;
-      batch.add(items_[k].a[lane], items_[k].b[lane]);
+      batch.add(items_[k].a[lane], items_[k].b[lane], static_cast<std::uint32_t>(k * block + lane));
       if (batch.full()) look();
     }
   });

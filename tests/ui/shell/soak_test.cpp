@@ -36,13 +36,21 @@ struct Ticks {
   /// By reason.
   std::array<std::uint64_t, static_cast<std::size_t>(Withheld::shut_down) + 1> withheld{};
   double largest_force = 0;
+  /// With a reason that the program's log gives. A pose that is not settled is one after 20 ms,
+  /// when some of the force has faded.
+  std::uint64_t without_force = 0;
+  double settled_at = 0;  ///< s
 
   void take(const Snapshot& tick) {
     if (tick.paused) return;  // the last one again
     ++seen;
     contact += tick.separation.status == Status::penetrating;
     failed += tick.separation.status == Status::failed;
-    ++withheld[static_cast<std::size_t>(tick.hand.withheld)];
+    const Withheld why = tick.hand.withheld;
+    ++withheld[static_cast<std::size_t>(why)];
+    if (why != Withheld::unsettled) settled_at = tick.time;
+    without_force +=
+        why != Withheld::nothing && !(tick.time - settled_at < 0.02 && why == Withheld::unsettled);
     largest_force = std::max(largest_force, tick.wrench.force.norm());
     last = tick.tick;
     late = tick.late;
@@ -116,6 +124,7 @@ class Soak : public WindowTest {
       if (run.ticks.withheld[i] > 0)
         std::printf("no force for %llu ticks: %s\n", number(run.ticks.withheld[i]),
                     words(static_cast<Withheld>(i)));
+    std::printf("no force by the log in %llu ticks\n", number(run.ticks.without_force));
     std::printf("allocations %llu, frees %llu in the servo's two threads\n",
                 number(run.allocations), number(run.frees));
     std::fflush(stdout);
@@ -202,7 +211,7 @@ class TightFit : public Soak, public testing::WithParamInterface<std::tuple<cons
 
 TEST_P(TightFit, Soak_a_minute_of_force) {
   const auto [scene, arm] = GetParam();
-  const double seconds = std::getenv("SECS") ? std::atof(std::getenv("SECS")) : 60;
+  constexpr double seconds = 60;
   if (std::string(scene) == "shaft")
     open_shaft(seconds / 2);
   else
@@ -211,9 +220,7 @@ TEST_P(TightFit, Soak_a_minute_of_force) {
   const Run run = run_for(seconds);
   print(run, seconds);
   expect_sound(run);
-  std::uint64_t without = 0;
-  for (std::size_t i = 1; i < run.ticks.withheld.size(); ++i) without += run.ticks.withheld[i];
-  EXPECT_LE(1000 * without, run.ticks.seen);
+  EXPECT_LE(1000 * run.ticks.without_force, run.ticks.seen);
 }
 
 INSTANTIATE_TEST_SUITE_P(, TightFit,

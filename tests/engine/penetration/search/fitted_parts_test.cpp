@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -70,6 +71,39 @@ TEST(FittedParts, what_holds_a_joint_leaves_no_way_down) {
 }
 TEST(FittedParts, Full_what_holds_a_joint_leaves_no_way_down) {
   expect_optima(test::joint_scenes(), 3000, 60, 1500);
+}
+
+// What a tick has no time for must not stop the next ones for ever: a device at rest is reached, or
+// the probe is still on its way there (the loose nut, which turns through millimetres of thread).
+TEST(FittedParts, a_device_at_rest_is_reached_however_little_a_tick_may_do) {
+  constexpr std::int64_t work = 20000;  // some 0.2 ms: a whole tick may need a hundred times that
+  constexpr int most_ticks = 1500, most_stuck = 60;
+  std::vector<test::FittedScene> scenes = test::fitted_scenes();
+  for (test::FittedScene& joint : test::joint_scenes()) scenes.push_back(std::move(joint));
+  for (const test::FittedScene& scene : scenes) {
+    const auto probe = test::body(scene.probe), fixed = test::body(scene.fixed);
+    const std::vector<Pose> path = test::fitted_path(scene.path, 3000);
+    CoherentSolver solver({probe, fixed});
+    solver.reset(path.front());
+    int longest_stuck = 0, reached = 0, rests = 0;
+    for (std::size_t i = 0; i < path.size(); i += 600, ++rests) {
+      double depth = -1;
+      for (int tick = 0, stuck = 0; tick < most_ticks; ++tick) {
+        const Separation& found = solver.tick(path[i], {.work = work});
+        if (found.converged) {
+          ++reached;
+          break;
+        }
+        stuck = found.depth == depth ? stuck + 1 : 0;
+        longest_stuck = std::max(longest_stuck, stuck);
+        depth = found.depth;
+      }
+    }
+    EXPECT_LE(longest_stuck, most_stuck) << scene.name;
+    if (scene.name != "nut, loose") {
+      EXPECT_EQ(reached, rests) << scene.name;
+    }
+  }
 }
 
 // The shape is the same: so is what is felt, but where a tick says that it fell.

@@ -8,12 +8,15 @@
 #include <map>
 #include <utility>
 
+#include "engine/penetration/search/coherent.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "tests/engine/proximity/pair_gaps.hpp"
 #include "tests/engine/proximity/small_motions.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/brute_force.hpp"
+#include "tests/support/joints.hpp"
 #include "tests/support/pairs.hpp"
+#include "tests/support/shapes.hpp"
 
 namespace sonde {
 namespace {
@@ -230,6 +233,39 @@ TEST(NeighbourList, does_not_allocate) {
     counter.stop();
     EXPECT_EQ(counter.allocations(), 0u) << pair.name;
   }
+}
+
+// A list of pairs that face each other in many directions, as a ball and its socket do. The
+// direction that separated a pair when it was listed may say little once the probe has moved; the
+// first look that compares the pair finds a better one.
+TEST(NeighbourList, looks_only_once_at_a_pair_whose_direction_says_too_little) {
+  std::vector<NearPair> out(48);
+  int cheaper = 0;
+  for (const test::FittedScene& joint : test::joint_scenes()) {
+    const auto probe = test::body(joint.probe), fixed = test::body(joint.fixed);
+    const std::vector<Pose> path = test::fitted_path(joint.path, 3000);
+    CoherentSolver solver({probe, fixed});
+    Separation in_contact = solver.reset(path.front());
+    for (std::size_t i = 0; i < path.size() && in_contact.depth == 0; ++i)
+      in_contact = solver.tick(path[i]);
+    const Transform X(in_contact.separated);
+    const double reach = 0.02 * probe->mass.radius;
+    Effort unlimited;
+    NeighbourList list(*probe, *fixed);
+    if (!list.build(X, reach, unlimited)) continue;
+    const auto work_of = [&](const Pose& pose) {
+      Effort effort(1'000'000'000, 0);
+      const std::int64_t before = effort.left();
+      list.near(Transform(pose), 1e-4 * reach, out, effort);
+      return before - effort.left();
+    };
+    Pose moved = in_contact.separated;
+    moved.p += Vec3::Constant(0.1 * reach);
+    const std::int64_t first = work_of(moved), again = work_of(moved);
+    EXPECT_LE(again, first) << joint.name;
+    cheaper += 3 * again < 2 * first;
+  }
+  EXPECT_GT(cheaper, 8);
 }
 
 // Reference: the same calls with all the effort they want, themselves tested above, and exact
