@@ -68,7 +68,8 @@ constexpr std::array<Row<ServoSettings>, 9> servo_rows{{
      [](const ServoSettings& s) { return s.rate_hz; },
      [](ServoSettings& s, double value) { s.rate_hz = value; }},
     {{"budget_us", "Time budget", "µs", 0, 1e6, ServoSettings{}.budget.microseconds, false,
-      "Wall-clock time the solver may take in a tick; 0: until it has converged."},
+      "Wall-clock time the solver may take in a tick; 0: until it has converged. While answers do "
+      "not converge, it grows to 6400 µs."},
      [](const ServoSettings& s) { return s.budget.microseconds; },
      [](ServoSettings& s, double value) { s.budget.microseconds = value; }},
     {{"budget_steps", "Work budget", "", 0, 1e6, double(ServoSettings{}.budget.steps), false,

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The haptic loop in its real threads, along the path of a scene, there and back, for as long as is
-// asked: how it keeps its deadlines, and whether it ever allocates.
+// The haptic loop in its real threads, along the path of a scene or of parts that fit, there and
+// back, for as long as is asked: how it keeps its deadlines, and whether it ever allocates.
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <optional>
 #include <thread>
 
 #include "engine/haptics/loop/servo.hpp"
@@ -13,13 +14,15 @@
 #include "engine/scene/path_hand.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/scene/scene.hpp"
+#include "tests/loop/tick_cases.hpp"
 #include "tests/support/allocation_counter.hpp"
 
 namespace sonde {
 namespace {
 
 struct Options {
-  std::string scene;
+  std::vector<std::string> scenes;
+  std::optional<std::string> fitted;
   double seconds = 60;
   double rate_hz = 0;
   bool awake = false;
@@ -89,19 +92,38 @@ void print_bins(const char* name, const TimeHistogram& h) {
       std::printf("  %10.1f %u\n", TimeHistogram::edge(i), n);
 }
 
+/// What the loop runs on.
+struct Held {
+  std::string name;
+  Pair pair;
+  std::vector<TimedPose> path;
+  Coupling coupling;
+  ServoSettings settings;
+};
+
+Held held_in_scene(const std::string& file) {
+  const Scene scene = read_scene(file);
+  if (!scene.trajectory) throw InputError::in(file, "the scene names no trajectory");
+  std::vector<TimedPose> path = read_trajectory(*scene.trajectory);
+  if (path.size() < 2) throw InputError::in(file, "the path has a single pose");
+  return {scene.name, Pair(load(scene.probe, scene.unit), load(scene.fixed, scene.unit)),
+          std::move(path), scene.coupling, scene.servo};
+}
+
+Held held_in_case(const ticks::TickCase& one) {
+  Coupling coupling;
+  coupling.k = one.k;
+  return {one.name, Pair(one.probe, one.fixed), one.path, coupling, {}};
+}
+
 /// True where nothing was allocated and no separation failed.
-bool run(const Options& o) {
-  const Scene scene = read_scene(o.scene);
-  if (!scene.trajectory) throw InputError::in(o.scene, "the scene names no trajectory");
-  const std::vector<TimedPose> path = read_trajectory(*scene.trajectory);
-  if (path.size() < 2) throw InputError::in(o.scene, "the path has a single pose");
-  ServoSettings settings = scene.servo;
+bool run(const Held& held, const Options& o) {
+  ServoSettings settings = held.settings;
   if (o.rate_hz > 0) settings.rate_hz = o.rate_hz;
   const WakefulProcessors awake(o.awake);
-  PathThereAndBack hand(path);
-  const Pair pair(load(scene.probe, scene.unit), load(scene.fixed, scene.unit));
-  Servo servo(pair, Method::pdg, scene.coupling, settings);
-  servo.start(path.front().pose, hand.hand());
+  PathThereAndBack hand(held.path);
+  Servo servo(held.pair, Method::pdg, held.coupling, settings);
+  servo.start(held.path.front().pose, hand.hand());
 
   Seen seen;
   Snapshot snapshot;
@@ -121,7 +143,7 @@ bool run(const Options& o) {
   read();
 
   const ServoTiming& timing = servo.timing();
-  std::printf("%s: %.0f s at %g Hz; %s; %s; %s\n", scene.name.c_str(), o.seconds, settings.rate_hz,
+  std::printf("%s: %.0f s at %g Hz; %s; %s; %s\n", held.name.c_str(), o.seconds, settings.rate_hz,
               timing.real_time.scheduling, timing.real_time.memory,
               o.awake ? awake.words() : "processors may sleep deeply: not asked for");
   print("period", timing.period);
@@ -156,13 +178,23 @@ bool run(const Options& o) {
   return counter.allocations() == 0 && counter.frees() == 0 && seen.failed == 0;
 }
 
+bool run(const Options& o) {
+  bool sound = true;
+  for (const std::string& file : o.scenes) sound &= run(held_in_scene(file), o);
+  if (o.fitted)
+    for (const ticks::TickCase& one : ticks::fitted_cases(*o.fitted))
+      sound &= run(held_in_case(one), o);
+  return sound;
+}
+
 }  // namespace
 }  // namespace sonde
 
 int main(int argc, char** argv) {
   sonde::Options o;
   CLI::App app("The haptic loop in its real threads, along the path of a scene");
-  app.add_option("SCENE", o.scene, "scene file that names a trajectory")->required();
+  app.add_option("SCENES", o.scenes, "scene files that name a trajectory");
+  app.add_option("--fitted", o.fitted, "parts that fit into each other whose names hold this");
   app.add_option("--seconds", o.seconds, "how long")->capture_default_str();
   app.add_option("--rate-hz", o.rate_hz, "of the servo; 0: the scene's own");
   app.add_flag("--awake", o.awake,

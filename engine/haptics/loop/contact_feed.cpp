@@ -54,7 +54,7 @@ const Separation& ContactFeed::begin(const Pose& X_FM, const StaticOptions& opti
 }
 
 const LocalContacts& ContactFeed::refresh(const Pose& X_FM, std::uint64_t tick, double time,
-                                          const Budget& budget) noexcept {
+                                          const Budget& budget, const Budget& of_rows) noexcept {
   const double begin = now_us();
   times_ = {};
   last_device_ = contacts_.separation.device;
@@ -63,7 +63,7 @@ const LocalContacts& ContactFeed::refresh(const Pose& X_FM, std::uint64_t tick, 
   contacts_.time = time;
   if (contacts_.separation.jumped) ++contacts_.jumps;
   contacts_.released += contacts_.separation.released;
-  gather(budget);
+  gather(of_rows);
   contacts_.separation.phases += times_;
   contacts_.refresh_us = now_us() - begin;
   return contacts_;

@@ -23,9 +23,14 @@ class ContactFeed {
   /// separated pose. Remembers that result for the next start at this pose. Allocates.
   const LocalContacts& reset(const Pose& X_FM, const StaticOptions& options);
   /// Follows to the next device pose, sampled in a tick of the servo at a time of its clock, s. No
-  /// allocation, lock, log, throw.
+  /// allocation, lock, log, throw. `budget` limits the solver. Rows are gathered within a share of
+  /// `of_rows`, which need not grow with it: with less, they reach less far.
   const LocalContacts& refresh(const Pose& X_FM, std::uint64_t tick, double time,
-                               const Budget& budget) noexcept;
+                               const Budget& budget, const Budget& of_rows) noexcept;
+  const LocalContacts& refresh(const Pose& X_FM, std::uint64_t tick, double time,
+                               const Budget& budget) noexcept {
+    return refresh(X_FM, tick, time, budget, budget);
+  }
   /// Whether a separation reports where its time went, including that of the near rows, from the
   /// next refresh on.
   void time_phases(bool on) noexcept;

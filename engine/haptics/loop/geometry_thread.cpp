@@ -78,9 +78,12 @@ void GeometryThread::run() noexcept {
     if (stopping_.load(std::memory_order_relaxed)) return;
     if (!requests_.update()) continue;
     const Request& request = requests_.front();
-    budget_.microseconds = limit.of(budget_us_.load(std::memory_order_relaxed));
+    budget_.microseconds = budget_us_.load(std::memory_order_relaxed);
+    Budget patient = budget_;
+    patient.microseconds = limit.of(budget_.microseconds);
     feed_.time_phases(time_phases_.load(std::memory_order_relaxed));
-    const LocalContacts& found = feed_.refresh(request.X_FM, request.tick, request.time, budget_);
+    const LocalContacts& found =
+        feed_.refresh(request.X_FM, request.tick, request.time, patient, budget_);
     limit.learn(found.separation.converged);
     contacts_.write(found);
     if (real_time_ && asked_.load(std::memory_order_relaxed) != seen) rest(found.refresh_us);

@@ -15,11 +15,11 @@ namespace sonde {
 class RefreshLimit {
  public:
   /// µs; `budget_us` is that of a tick. 0: no limit.
-  double of(double budget_us) const noexcept { return factor_ * budget_us; }
-  /// Whether the last refresh converged.
-  void learn(bool converged) noexcept {
-    factor_ = converged ? 1 : std::min(2 * factor_, loop_tuning.most_budgets);
+  double of(double budget_us) const noexcept {
+    return std::max(budget_us, std::min(factor_ * budget_us, loop_tuning.longest_refresh_us));
   }
+  /// Whether the last refresh converged.
+  void learn(bool converged) noexcept { factor_ = converged ? 1 : std::min(2 * factor_, 1e9); }
 
  private:
   double factor_ = 1;

@@ -43,8 +43,9 @@ struct ServoTiming {
 
 struct ServoSettings {
   double rate_hz = 1000;
-  /// Limit of the geometry thread for each answer of the solver. It does not limit the servo's own
-  /// tick: one that ends past its deadline is only counted (Snapshot::late).
+  /// Limit of the geometry thread for each answer of the solver; its time grows while answers do
+  /// not converge (RefreshLimit). It does not limit the servo's own tick: one that ends past its
+  /// deadline is only counted (Snapshot::late).
   Budget budget{.steps = 0, .microseconds = 800};
   /// Can be given instead of the time of the budget: the error that nine of ten ticks should not
   /// exceed, as a share of the largest depth; 0: not given. The servo itself uses only the budget;

@@ -21,6 +21,13 @@ TEST(RefreshLimit, doubles_up_to_its_largest_and_falls_back_at_once) {
   EXPECT_EQ(limit.of(800), 800);
 }
 
+TEST(RefreshLimit, a_larger_budget_is_not_raised_and_a_small_one_grows_as_far) {
+  RefreshLimit limit;
+  for (int i = 0; i < 3000; ++i) limit.learn(false);
+  EXPECT_EQ(limit.of(9000), 9000);
+  EXPECT_EQ(limit.of(1), loop_tuning.longest_refresh_us);
+}
+
 TEST(RefreshLimit, no_limit_stays_none) {
   RefreshLimit limit;
   limit.learn(false);
