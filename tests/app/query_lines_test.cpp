@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -23,7 +24,7 @@ class Resumed : public AppTest {
       poses += std::to_string(0.02 + 1e-4 * i) + ",0.01,0.02,0.8,0.36,0.48,0\n";
     folder.write("long.csv", poses);
   }
-  /// The exit code of a run that is interrupted once a part is there.
+  /// The exit code of a run that is interrupted once a part with two rows is there.
   int interrupted(const std::string& arguments) const {
     const pid_t child = ::fork();
     if (child == 0) {
@@ -33,7 +34,12 @@ class Resumed : public AppTest {
       ::execl("/bin/sh", "sh", "-c", line.c_str(), static_cast<char*>(nullptr));
       ::_exit(99);
     }
-    for (int i = 0; i < 600 && !std::filesystem::exists(folder / "r.part"); ++i)
+    const auto rows = [this] {
+      if (!std::filesystem::exists(folder / "r.part")) return std::ptrdiff_t{0};
+      const std::string part = text_of(folder / "r.part");
+      return std::count(part.begin(), part.end(), '\n') - 1;
+    };
+    for (int i = 0; i < 600 && rows() < 2; ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
     ::kill(child, SIGTERM);
     int status = 0;

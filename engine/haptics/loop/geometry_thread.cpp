@@ -86,6 +86,7 @@ void GeometryThread::run() noexcept {
         feed_.refresh(request.X_FM, request.tick, request.time, patient, budget_);
     limit.learn(found.separation.converged);
     contacts_.write(found);
+    if (stopping_.load(std::memory_order_relaxed)) return;
     if (real_time_ && asked_.load(std::memory_order_relaxed) != seen) rest(found.refresh_us);
   }
 }

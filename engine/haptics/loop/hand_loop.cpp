@@ -75,12 +75,10 @@ Withheld HandLoop::fault(const HandSample& sample, const LocalContacts& contacts
 }
 
 bool HandLoop::is_unsettled() const noexcept {
-  const Separation& found = out_.separation;
-  if (found.converged || !(force_error_ > 0)) return false;
-  // The part of y that the rows do not hold is how far the probe lags behind.
+  if (out_.separation.converged || !(force_error_ > 0)) return false;
   const Coupling& c = coupler_.coupling();
   const double stiffness = in_object_norm(c.mode) ? c.k : c.k_t;
-  return stiffness * found.residual * found.depth > force_error_;
+  return stiffness * lag_ > force_error_;
 }
 
 Withheld HandLoop::overdue(const LocalContacts& contacts, const Clock& clock) const noexcept {
@@ -216,6 +214,7 @@ bool HandLoop::pushed() const noexcept {
 void HandLoop::separate(const LocalContacts& contacts, const Clock& clock) noexcept {
   const LocalAnswer answer = separate_locally(mass_, method_, contacts, X_FM_);
   out_.separation = answer.separation;
+  lag_ = answer.lag;
   out_.separation.jumped = contacts.jumps != jumps_;
   out_.separation.released = contacts.released - released_;
   jumps_ = contacts.jumps;

@@ -104,10 +104,9 @@ class HandLoop {
   /// The part that concerns the hand alone.
   Withheld fault(const HandSample& sample) const noexcept;
   Withheld overdue(const LocalContacts& contacts, const Clock& clock) const noexcept;
-  /// True if the geometry's answer has not converged, and the probe lags behind its optimum by so
-  /// much that the error of the force may exceed the limit. While the rows reach from the pose that
-  /// the geometry got to up to their optimum, that optimum gives the force, as for rows that are
-  /// some ticks old (separate_locally).
+  /// True if the geometry's answer has not converged, and the probe lags so far behind that the
+  /// error of the force may exceed the limit (LocalAnswer::lag). Where the rows' optimum is within
+  /// the way for which they are trusted, it gives the force, as it does for old rows.
   bool is_unsettled() const noexcept;
   void follow(const HandSample& sample, double dt) noexcept;
   void set_change_rate(const HandSample& sample) noexcept;
@@ -138,6 +137,7 @@ class HandLoop {
   Runaway runaway_;
   ForceGate gate_;
   ClusterIds ids_;
+  double lag_ = 0;                   ///< m, of the last answer (LocalAnswer)
   double way_ = 0, way_before_ = 0;  ///< m, in the object norm, of the last two ticks
   bool leapt_ = false;               ///< the pose moved further than a hand moves in a tick
   double yields_ = 0;                ///< m/s, speed of the hand in the direction of the last force

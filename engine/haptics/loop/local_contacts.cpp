@@ -113,6 +113,16 @@ class LocalProblem {
   std::array<HalfSpace, LocalContacts::capacity> half_spaces_;
 };
 
+double lag(const Chart& chart, Method method, const LocalContacts& contacts,
+           const LocalProblem::Solution& solution) {
+  const Separation& known = contacts.separation;
+  const bool without_rows = contacts.size == 0 && known.status == Status::penetrating;
+  if (!solution.nearest.feasible || without_rows) return known.residual * known.depth;
+  const double behind = (solution.y - solution.nearest.y).norm();
+  if (method == Method::pdg) return behind;
+  return behind + chart.coordinates(known.separated).head<3>().norm();
+}
+
 }  // namespace
 
 LocalAnswer separate_locally(const MassProperties& mass, Method method,
@@ -131,11 +141,9 @@ LocalAnswer separate_locally(const MassProperties& mass, Method method,
   found.iterations = known.iterations;
   found.converged = known.converged;
   const double length = solution.y.norm();
-  if (!solution.nearest.feasible)
-    found.residual = known.residual;
-  else
-    found.residual = length > 0 ? (solution.y - solution.nearest.y).norm() / length : 0;
-  return {make_separation(chart, found), solution.held_back};
+  found.residual = length > 0 ? (solution.y - solution.nearest.y).norm() / length : 0;
+  return {make_separation(chart, found), solution.held_back,
+          lag(chart, method, contacts, solution)};
 }
 
 }  // namespace sonde

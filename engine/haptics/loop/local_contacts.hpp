@@ -38,14 +38,15 @@ struct LocalContacts {
 
 /// The answer of the rows at another device pose.
 struct LocalAnswer {
-  /// Of the new device pose; iterations and converged are the geometry's. The residual is the part
-  /// of y that the rows do not hold: 0 unless the answer is held back. If the rows have no common
-  /// point, it is the geometry's.
-  Separation separation;
+  Separation separation;  ///< of the new device pose; iterations and converged are the geometry's
   /// The half-spaces of the rows have no common point, or the solution is farther from the
   /// geometry's separated pose than the rows are trusted (LoopTuning::trusted). The answer then
   /// goes only as far as that, so the force is that of a probe that lags behind.
   bool held_back = false;
+  /// m: the part of y that the rows do not hold: 0 unless the probe lags behind their optimum. With
+  /// translation only, also the turn that the geometry has not followed. If the rows have no common
+  /// point, or there are none though the probe is held, it is that of the geometry's answer.
+  double lag = 0;
 };
 
 /// The pose nearest to the device pose X_FM that satisfies the rows, in the object norm: a

@@ -30,12 +30,13 @@ struct LoopTuning {
   /// smaller reach.
   double budget_of_rows = 0.5;
   /// µs: how far the limit of a refresh grows while answers do not converge (RefreshLimit). With
-  /// the rows, whose limit does not grow (budget_of_rows), the answer must arrive before the force
-  /// is withheld (SafetySettings::stalled_after): after 6.8 of 20 ms. Ticks of 20 s whose force
-  /// faded, and to what share, with 800 (no growth) and with this value (`sonde-soak`): terrain 198
-  /// to 47 %, 124 to 78 %; crumpled-soup 718, 216 of them to nothing, 468, 36; a ball in its socket
-  /// 67 to 38 %, none; a jammed nut 651, 289 to nothing, 440, 144. Only nut-on-bolt, which cannot
-  /// keep up with either, fares no better.
+  /// the rows, whose limit does not grow (budget_of_rows), an answer takes 6.8 ms, and is in use
+  /// until the next one, with the rest between them up to an age of 15.4 ms; the force is withheld
+  /// after 20 (SafetySettings::stalled_after). Ticks of 20 s whose force faded, and to what share,
+  /// with 800 (no growth) and with this value (`sonde-soak`): terrain 198 to 47 %, 124 to 78 %;
+  /// crumpled-soup 718, 216 of them to nothing, 468, 36; a ball in its socket 67 to 38 %, none; a
+  /// jammed nut 651, 289 to nothing, 440, 144. Only nut-on-bolt, which cannot keep up with either,
+  /// fares no better.
   double longest_refresh_us = 6400;
   double flat_within = 4;  ///< margins: nearer pairs give a row for each corner of their overlap
   double margin_of_clearance = 0.5;  ///< share of allowed_clearance: the gap that rows keep

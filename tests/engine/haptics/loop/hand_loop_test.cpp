@@ -104,7 +104,7 @@ TEST(HandLoop, a_probe_that_lags_gives_its_force_up_beyond_what_it_may_be_off_by
   EXPECT_NEAR(bench.tick(true, 0).wrench.force.norm(), 1, 0.01) << "no ramp was asked for";
 }
 
-TEST(HandLoop, rows_that_reach_their_optimum_give_its_force_though_the_geometry_has_not) {
+TEST(HandLoop, rows_that_are_trusted_up_to_their_optimum_give_its_force) {
   LaggingBench bench;
   for (const double share : {0.0, 0.3, 0.6, 0.95})
     for (int k = 0; k < 20; ++k) {

@@ -8,8 +8,10 @@
 #include <limits>
 
 #include "engine/geometry/chart.hpp"
+#include "engine/geometry/rotation.hpp"
 #include "engine/haptics/loop/contact_feed.hpp"
 #include "engine/proximity/sweep/motion.hpp"
+#include "tests/engine/haptics/loop/at_depth.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/contact_path.hpp"
 #include "tests/support/shapes.hpp"
@@ -173,6 +175,37 @@ TEST(LocalContacts, neither_refreshing_nor_using_them_allocates) {
       EXPECT_EQ(counter.frees(), 0u) << pair.name;
       EXPECT_GT(in_contact, 30) << pair.name;
     }
+}
+
+// Reference: the motion by which the geometry's pose is made to lag.
+TEST(LocalContacts, say_how_far_the_probe_lags_behind_their_optimum) {
+  const auto probe = test::body(test::box({0.02, 0.03, 0.05}));
+  const auto fixed = test::body(test::box({0.3, 0.3, 0.1}));
+  const Pose device = test::at_depth(0.002);
+  for (const Method method : {Method::pdg, Method::pdt}) {
+    ContactFeed feed({probe, fixed}, method);
+    feed.reset(test::at_depth(-0.001), {});
+    const LocalContacts known = feed.refresh(device, 1, 0, {});
+    const auto lag = [&](const LocalContacts& rows) {
+      return separate_locally(probe->mass, method, rows, device).lag;
+    };
+    EXPECT_NEAR(lag(known), 0, 1e-6);
+    LocalContacts behind = known;
+    behind.reach = 0;
+    behind.separation.separated.p.z() += 0.1 * probe->mass.radius + 0.001;
+    EXPECT_NEAR(lag(behind), 0.001, 1e-5) << "beyond a tenth of the radius";
+    LocalContacts without_rows = known;
+    without_rows.size = 0;
+    without_rows.separation.residual = 0.7;
+    EXPECT_NEAR(lag(without_rows), 0.7 * known.separation.depth, 1e-9);
+    if (method == Method::pdg) continue;
+    LocalContacts not_turned = known;
+    Pose& separated = not_turned.separation.separated;
+    separated.q = rotation_by(Vec3(0, 0, 0.2)) * separated.q;
+    const double turn = Chart(probe->mass, device).coordinates(separated).head<3>().norm();
+    EXPECT_GT(turn, 1e-3);
+    EXPECT_NEAR(lag(not_turned), turn, 1e-4);
+  }
 }
 
 }  // namespace
