@@ -179,6 +179,8 @@ bool run(const Held& held, const Options& o) {
 }
 
 bool run(const Options& o) {
+  if (o.scenes.empty() && !o.fitted)
+    throw InputError("nothing to measure: name scenes or --fitted");
   bool sound = true;
   for (const std::string& file : o.scenes) sound &= run(held_in_scene(file), o);
   if (o.fitted)

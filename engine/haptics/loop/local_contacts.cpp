@@ -113,6 +113,7 @@ class LocalProblem {
   std::array<HalfSpace, LocalContacts::capacity> half_spaces_;
 };
 
+/// See LocalAnswer::lag.
 double lag(const Chart& chart, Method method, const LocalContacts& contacts,
            const LocalProblem::Solution& solution) {
   const Separation& known = contacts.separation;
