@@ -35,7 +35,7 @@ void turn_inside_out(Body& body) {
   body.turned = true;
   body.repairs.turned_parts = 1;
   add_place(body.places, RepairKind::inside_out, body.soup.vertices, body.soup.triangles);
-  settle(body.places);
+  sort_and_cap(body.places);
 }
 
 /// Takes the mass of the region if it has a volume (solid), otherwise that of the area (surface).
@@ -71,7 +71,7 @@ RepairPlaces places_of(Mended& mended, const Soup& all) {
     for (std::size_t i = 0; i < mended.triangles.size(); ++i)
       if (mended.kinds[i] == TriangleKind::hidden) hidden.push_back(mended.triangles[i]);
   add_places(places, RepairKind::hidden, all.vertices, hidden);
-  settle(places);
+  sort_and_cap(places);
   return places;
 }
 

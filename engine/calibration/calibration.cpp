@@ -28,12 +28,12 @@ using ErrorsByTime = std::map<double, std::vector<std::vector<double>>>;
 struct KindOfAnswer {
   Answers answers;
   Method method;
-  std::optional<bool> sketched;  ///< none: either
+  std::optional<bool> has_sketches;  ///< none: either
   bool far_out;
 
   bool holds(const CalibrationSeries& series) const {
     return series.answers == answers && series.method == method &&
-           series.sketched == sketched.value_or(series.sketched);
+           series.has_sketches == has_sketches.value_or(series.has_sketches);
   }
 };
 
@@ -96,9 +96,9 @@ Calibration joined(Calibration measured, const Calibration& other) {
 }
 
 AccuracyCurve::AccuracyCurve(const Calibration& calibration, Answers answers, Method method,
-                             bool sketched, double sure) {
+                             bool has_sketches, double sure) {
   const auto line = [&](bool far_out) {
-    auto errors = of_kind(calibration, {answers, method, sketched, far_out});
+    auto errors = of_kind(calibration, {answers, method, has_sketches, far_out});
     if (errors.empty()) errors = of_kind(calibration, {answers, method, std::nullopt, far_out});
     Line out{.without_limit = infinity};
     double best = infinity;

@@ -29,7 +29,7 @@ struct CalibrationSeries {
   std::string pair;
   Answers answers = Answers::search;
   Method method = Method::pdg;
-  bool sketched = true;                  ///< the pair has sketches: one of the bodies is a solid
+  bool has_sketches = true;              ///< the pair has sketches: one of the bodies is a solid
   std::vector<CalibrationPoint> points;  ///< by time, the one without a limit last
   std::string family = {};  ///< group of similar shapes; empty: the pair is its own group
 };
@@ -58,7 +58,7 @@ class AccuracyCurve {
  public:
   /// Uses the series of that kind, from pairs with sketches or from pairs without; if there are
   /// none of these, all of that kind. `sure`: the share of answers, above 0 and below 1.
-  AccuracyCurve(const Calibration& calibration, Answers answers, Method method, bool sketched,
+  AccuracyCurve(const Calibration& calibration, Answers answers, Method method, bool has_sketches,
                 double sure = usually_sure);
 
   bool known() const { return !near_.points.empty(); }

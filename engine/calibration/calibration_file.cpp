@@ -82,7 +82,7 @@ struct Reader {
     if (node.find("family")) out.family = need(node, "family", Kind::string).text;
     out.answers = choice<Answers>(node, "answers", answers_names);
     out.method = choice<Method>(node, "method", method_names);
-    out.sketched = need(node, "sketched", Kind::boolean).boolean;
+    out.has_sketches = need(node, "sketched", Kind::boolean).boolean;
     for (const JsonNode& each : need(node, "points", Kind::array).children)
       out.points.push_back(point(each));
     return out;
@@ -113,7 +113,7 @@ std::string to_json(const Calibration& calibration) {
     if (!series.family.empty()) one["family"] = series.family;
     one["answers"] = answers_names[static_cast<std::size_t>(series.answers)];
     one["method"] = method_names[static_cast<std::size_t>(series.method)];
-    one["sketched"] = series.sketched;
+    one["sketched"] = series.has_sketches;
     one["points"] = std::move(points);
     all.push_back(std::move(one));
   }

@@ -48,7 +48,7 @@ class DoubtfulPatches {
       for (const std::uint32_t k : edge.doubtful) rims_[sets_.set_of(k)].push_back(&edge);
   }
 
-  void settle() {
+  void decide() {
     // Initially, triangles of one orientation count as accidental, and those of both as a wall.
     for (const std::uint32_t k : doubtful_) once_[sets_.set_of(k)] |= all_[k].net() != 0;
     bool changed = !doubtful_.empty();
@@ -78,7 +78,7 @@ class DoubtfulPatches {
     bool odd = false;  // an odd number of which stay
   };
   static bool is_doubtful(const SameTriangles& same) {
-    return same.size() >= 2 && (same.wanted != 1 || same.shared) && !same.settled;
+    return same.size() >= 2 && (same.wanted != 1 || same.shared) && !same.decided;
   }
 
   /// Number of rim edges along which the rest is open without the patch, minus the others.
@@ -128,8 +128,8 @@ Distinct find_distinct(const Soup& soup, const Progress& progress) {
     if (const long shared = common[same.component]; shared != 0)
       same.wanted = std::labs(same.net()) / shared;
   if (std::ranges::any_of(all, [](const SameTriangles& same) { return same.size() >= 2; })) {
-    settle_opposed_shells(soup.vertices, all, part_of(progress, 0.7, 0.9));
-    DoubtfulPatches(all).settle();
+    decide_opposed_shells(soup.vertices, all, part_of(progress, 0.7, 0.9));
+    DoubtfulPatches(all).decide();
   }
   Distinct out;
   out.by.assign(soup.triangles.size(), Distinct::none);

@@ -40,7 +40,7 @@ struct Mended {
   bool as_given = true;  ///< the triangles are the soup's own, unturned, in their order
   std::string why;       ///< why it is a solid or a surface
   Repairs repairs;
-  RepairPlaces places;  ///< all except the hidden triangles; settle() has not been called
+  RepairPlaces places;  ///< all except the hidden triangles; sort_and_cap() has not been called
 };
 
 /// Joins, turns and caps a soup until every part of it is closed, and decides for each part whether

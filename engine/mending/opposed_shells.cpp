@@ -17,7 +17,7 @@ class OpposedShells {
  public:
   OpposedShells(const std::vector<Vec3>& x, std::vector<SameTriangles>& all) : x_(x), all_(all) {}
 
-  void settle(const Progress& progress) {
+  void decide(const Progress& progress) {
     find_odd_pairs();
     if (odd_.empty()) return;
     find_shells();
@@ -34,7 +34,7 @@ class OpposedShells {
         if (!open_.contains(part)) ++inside[points[k].part][part];
     }
     for (std::uint32_t s = 0; s < shells_.size(); ++s)
-      settle(shells_[s], std::ranges::any_of(inside[s], [&](const auto& found) {
+      decide(shells_[s], std::ranges::any_of(inside[s], [&](const auto& found) {
                return found.second == asked[s];
              }));
   }
@@ -114,15 +114,15 @@ class OpposedShells {
     }
   }
 
-  void settle(const std::vector<std::uint32_t>& shell, bool within) {
+  void decide(const std::vector<std::uint32_t>& shell, bool within) {
     for (const std::uint32_t k : shell) {
       SameTriangles& same = all_[k];
       if (same.net() == 0) {
-        same.settled = true;
+        same.decided = true;
         same.once = !within;
         same.wanted = within ? 0 : 1;
       } else if (within) {
-        same.settled = true;
+        same.decided = true;
       } else {  // it may be a wall between the two: that depends on the other
         same.shared = true;
         --same.wanted;
@@ -140,9 +140,9 @@ class OpposedShells {
 
 }  // namespace
 
-void settle_opposed_shells(const std::vector<Vec3>& x, std::vector<SameTriangles>& all,
+void decide_opposed_shells(const std::vector<Vec3>& x, std::vector<SameTriangles>& all,
                            const Progress& progress) {
-  OpposedShells(x, all).settle(progress);
+  OpposedShells(x, all).decide(progress);
 }
 
 }  // namespace sonde

@@ -89,7 +89,7 @@ void add_corner_places(RepairPlaces& to, RepairKind kind, const std::vector<Vec3
   add_grouped(to, kind, vertices, triangles, [&](std::uint32_t v) { return bool(marked[v]); });
 }
 
-void settle(RepairPlaces& places) {
+void sort_and_cap(RepairPlaces& places) {
   const auto key = [](const RepairPlace& p) {
     return std::tuple(p.kind, -p.size, p.at.x(), p.at.y(), p.at.z());
   };

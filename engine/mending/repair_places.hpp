@@ -31,8 +31,9 @@ struct RepairPlace {
 /// The places of repair of a mesh.
 struct RepairPlaces {
   static constexpr std::size_t most = 1000;
-  std::vector<RepairPlace> places;  ///< after settle(): by kind, large ones first, at most `most`
-  std::size_t all = 0;              ///< total number, including those left out
+  std::vector<RepairPlace>
+      places;           ///< after sort_and_cap(): by kind, large ones first, at most `most`
+  std::size_t all = 0;  ///< total number, including those left out
 };
 
 /// Adds one place for all these triangles; none if there are no triangles.
@@ -49,6 +50,6 @@ void add_corner_places(RepairPlaces& to, RepairKind kind, const std::vector<Vec3
                        const std::vector<Triangle>& triangles, const std::vector<bool>& marked);
 
 /// Sorts and counts the places, and drops those beyond the maximum.
-void settle(RepairPlaces& places);
+void sort_and_cap(RepairPlaces& places);
 
 }  // namespace sonde

@@ -19,7 +19,7 @@ struct SameTriangles {
   long evens = 0, odds = 0;     ///< number in each orientation
   long wanted = 1;              ///< number that stay, of the prevailing orientation
   bool once = false;            ///< one stays, and the others are copies of it
-  bool settled = false;         ///< the decision is final
+  bool decided = false;         ///< the decision is final
   bool shared = false;          ///< shared with other shells that occur in both orientations
   long net() const { return evens - odds; }
   long pairs() const { return std::min(evens, odds); }  ///< number of opposed pairs

@@ -32,9 +32,9 @@ class WritableFile {
   bool sync();
   /// True if no other process holds the file; from then on this one does, until it is closed. The
   /// portable source cannot tell, and says true.
-  bool hold();
-  /// Takes away what lies beyond that size, bytes; the next write goes there.
-  bool cut(std::uint64_t size);
+  bool lock();
+  /// Removes what lies beyond that size, bytes; the next write goes there.
+  bool truncate(std::uint64_t size);
   bool close();
 
  private:

@@ -13,7 +13,7 @@ namespace {
 std::array<double, curve_count> values_of(const Snapshot& tick, const BackgroundResult* searched,
                                           const GaugedClearance* clearance) {
   const Separation& s = tick.separation;
-  const auto depth = [](const std::optional<FoundWay>& way) {
+  const auto depth = [](const std::optional<FoundSeparation>& way) {
     return way ? way->depth : no_number;
   };
   return {s.status == Status::failed ? no_number : s.depth,

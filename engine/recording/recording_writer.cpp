@@ -83,7 +83,7 @@ void RecordingWriter::run(const RecordingHeader& header) {
 void RecordingWriter::write(const std::string& bytes) {
   if (!open_.write(bytes)) {
     // What is left of a block is cut off; a file that cannot be cut can be read all the same.
-    open_.cut(bytes_.load(std::memory_order_relaxed));
+    open_.truncate(bytes_.load(std::memory_order_relaxed));
     throw InputError::in(file_.string(), system_reason(open_.error()));
   }
   bytes_.fetch_add(bytes.size(), std::memory_order_relaxed);

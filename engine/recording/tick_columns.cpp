@@ -194,7 +194,7 @@ const std::array contacts{
         "multiplier", "m", [](auto& r) -> auto& { return r.multiplier; }),
 };
 
-using Way = std::optional<FoundWay>;
+using Way = std::optional<FoundSeparation>;
 
 /// A number of a way out; NaN if there is none.
 template <class Member, class Field>

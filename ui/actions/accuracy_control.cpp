@@ -49,7 +49,7 @@ AccuracyControl::AccuracyControl(DocumentControl& documents, QMainWindow& window
 
 void AccuracyControl::attach(Session* session) {
   session_ = session;
-  sketched_ = session && session->loaded().pair.sketches();
+  has_sketches_ = session && session->loaded().pair.sketches();
   curve_.reset();
   search_curve_.reset();
   here_.reset();
@@ -72,7 +72,8 @@ void AccuracyControl::show_knob() {
 }
 
 const AccuracyCurve& AccuracyControl::curve() const {
-  if (!curve_) curve_ = AccuracyCurve(default_calibration(), Answers::tick, Method::pdg, sketched_);
+  if (!curve_)
+    curve_ = AccuracyCurve(default_calibration(), Answers::tick, Method::pdg, has_sketches_);
   return *curve_;
 }
 
@@ -113,7 +114,7 @@ Expected AccuracyControl::expected(const ServoSettings& servo) const {
   const double time_us =
       servo.accuracy > 0 ? curve().time_for(servo.accuracy) : servo.budget.microseconds;
   const Measured& measured = measured_here();
-  const AccuracyCurve here(measured.calibration, Answers::tick, Method::pdg, sketched_);
+  const AccuracyCurve here(measured.calibration, Answers::tick, Method::pdg, has_sketches_);
   return {time_us, curve().within(time_us),
           here.known() ? std::optional(here.within(time_us)) : std::nullopt, measured.wrong};
 }
@@ -153,7 +154,7 @@ void AccuracyControl::show_search() {
   if (!searched || !searched->nearest) return panel_->show_claim({}, sure_);
   if (!search_curve_)
     search_curve_ =
-        AccuracyCurve(default_calibration(), Answers::search, Method::pdg, sketched_, sure_);
+        AccuracyCurve(default_calibration(), Answers::search, Method::pdg, has_sketches_, sure_);
   Separation answer;
   answer.depth = searched->nearest->depth;
   answer.status = answer.depth > 0 ? Status::penetrating : Status::separated;

@@ -50,7 +50,7 @@ class AccuracyControl : public QObject {
   DocumentControl& documents_;
   AccuracyPanel* panel_;
   Session* session_ = nullptr;
-  bool sketched_ = false;  ///< the open pair has sketches
+  bool has_sketches_ = false;  ///< the open pair has sketches
   double sure_ = usually_sure;
   mutable std::optional<AccuracyCurve> curve_;
   std::optional<AccuracyCurve> search_curve_;  ///< of searches that are as sure as sure_

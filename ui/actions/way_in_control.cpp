@@ -66,7 +66,7 @@ struct WayInControl::Work {
   Pose start;
   std::vector<TimedPose> path;
   Coupling coupling;
-  InsertionWay way = {};
+  InsertionPath way = {};
   Insertion found = {};
 
   void run(const Progress& progress) {
@@ -85,7 +85,7 @@ struct WayInControl::MapWork {
   WayWanted wanted;
   MapWanted range;
   Pose start;
-  InsertionWay way = {};
+  InsertionPath way = {};
   OffsetMap map = {};
 
   void run(const Progress& progress) {
@@ -218,7 +218,7 @@ void WayInControl::to_map_place(const MapPlace& place) {
   play(false);
   const double offset = map_.at.offset(place.offset), tilt = map_.at.tilt(place.tilt);
   const double free = map_.free[place.offset * map_.at.tilts + place.tilt];
-  const InsertionWay way = moved(map_way_, session_->loaded().pair, map_.at, offset, tilt);
+  const InsertionPath way = moved(map_way_, session_->loaded().pair, map_.at, offset, tilt);
   sent_.reset();
   window_.place(way.poses.front());
   const LengthUnit unit(session_->probe().mass.radius);

@@ -72,9 +72,9 @@ class WayInControl : public QObject {
   Job job_, map_job_;
   Flight flight_;
   WayPick picking_{};  ///< nothing
-  InsertionWay way_;
+  InsertionPath way_;
   std::optional<Insertion> found_;
-  InsertionWay map_way_;  ///< that the map is about
+  InsertionPath map_way_;  ///< that the map is about
   OffsetMap map_;
   double at_ = 0, goal_ = 0;  ///< m along the way: where the probe is, and is to be
   double pace_ = 0;           ///< m a step

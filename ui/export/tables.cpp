@@ -30,7 +30,7 @@ void add_number(std::string& line, const std::optional<double>& value) {
 }
 
 void add_searched(std::string& line, const std::optional<BackgroundResult>& searched) {
-  const auto depth = [&](const std::optional<FoundWay> BackgroundResult::*way) {
+  const auto depth = [&](const std::optional<FoundSeparation> BackgroundResult::*way) {
     return searched && (*searched).*way ? std::optional(((*searched).*way)->depth) : std::nullopt;
   };
   add_number(line, depth(&BackgroundResult::nearest));

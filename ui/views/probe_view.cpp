@@ -106,7 +106,7 @@ FoundView::~FoundView() { renderer_->RemoveActor(actor_); }
 vtkActor& FoundView::actor() { return *actor_; }
 
 void FoundView::draw(const Frame& frame) {
-  const FoundWay* way =
+  const FoundSeparation* way =
       frame.searched && frame.searched->*way_ ? &*(frame.searched->*way_) : nullptr;
   if (!way || !(way->depth > 0)) return hide();
   actor_->GetProperty()->SetLineWidth(frame.density);

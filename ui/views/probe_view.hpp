@@ -48,7 +48,7 @@ class FoundView : public Overlay {
     wires  ///< the edges alone
   };
   /// Which of the ways: a member of what was searched.
-  using Way = std::optional<FoundWay> BackgroundResult::*;
+  using Way = std::optional<FoundSeparation> BackgroundResult::*;
   FoundView(vtkRenderer& renderer, vtkPolyData& surface, bool solid, Way way, Shape shape,
             const QString& name, const QColor& colour);
   ~FoundView() override;

@@ -25,7 +25,7 @@ struct Extent {
 };
 
 struct Searched {
-  FoundWay way;
+  FoundSeparation way;
   bool far_out = false;
 };
 
@@ -106,7 +106,7 @@ BackgroundResult searched_fully(const Pair& pair, const Pose& X_FM) {
 BackgroundResult with_followed(BackgroundResult search, const Separation& followed) {
   const bool known = followed.status == Status::penetrating && of_one_pose(search, followed);
   if (known && (!search.nearest || followed.depth < search.nearest->depth))
-    search.nearest = FoundWay{followed.depth, followed.separated};
+    search.nearest = FoundSeparation{followed.depth, followed.separated};
   return search;
 }
 

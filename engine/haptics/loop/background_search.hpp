@@ -12,7 +12,7 @@
 namespace sonde {
 
 /// A separated pose found by a global search.
-struct FoundWay {
+struct FoundSeparation {
   double depth = 0;  ///< √σ from the device pose, m; 0 if that pose is free
   Pose separated;
 };
@@ -20,10 +20,11 @@ struct FoundWay {
 /// The result of computations that are too slow for a tick. A separate thread does them for the
 /// newest requested pose, only while requests arrive.
 struct BackgroundResult {
-  Pose device;                        ///< the pose that was searched
-  std::optional<FoundWay> nearest;    ///< the nearest pose of both searches: an upper bound of PD_g
-  std::optional<FoundWay> pdt;        ///< translation only; none if the search failed
-  std::optional<double> lower_bound;  ///< of √PD_g, m
+  Pose device;  ///< the pose that was searched
+  std::optional<FoundSeparation>
+      nearest;  ///< the nearest pose of both searches: an upper bound of PD_g
+  std::optional<FoundSeparation> pdt;        ///< translation only; none if the search failed
+  std::optional<double> lower_bound;         ///< of √PD_g, m
   std::optional<BoundWitness> witness = {};  ///< of that bound
   /// Separation::far_out of the search that found `nearest`. If `nearest` is the pose that the loop
   /// followed, of the search that found no pose as near as that.

@@ -42,7 +42,7 @@ void ContactRows::accept(const Contact& contact, const TrianglePair& of) noexcep
   contacts_[count_++] = contact;
 }
 
-void ContactRows::keep(const TrianglePair& pair) noexcept {
+void ContactRows::remember(const TrianglePair& pair) noexcept {
   const auto begin = kept_.begin(), end = begin + static_cast<std::ptrdiff_t>(kept_count_);
   const auto found = std::find(begin, end, pair);
   if (found != end)
@@ -88,8 +88,8 @@ bool ContactRows::is_news(const Contact& contact) const noexcept {
   return true;
 }
 
-void ContactRows::take(const NearPair& pair, const Transform& X, double flat,
-                       const Transform* end) noexcept {
+void ContactRows::add_rows_of(const NearPair& pair, const Transform& X, double flat,
+                              const Transform* end) noexcept {
   const Corners ta = place(X, corners(surface(probe_), pair.triangle_a));
   const Corners tb = corners(surface(fixed_), pair.triangle_b);
   // Fraction of the path at which the gap along n closes; infinite if it does not.
@@ -122,8 +122,8 @@ Vec3 ContactRows::least_moving_point(const Transform& X) const noexcept {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < count_; ++i) sum += local(i);
   const Vec3 middle = sum / static_cast<double>(count_);
-  const Displacement about_com = lists_.recent_course(X, com).size(),
-                     about_middle = lists_.recent_course(X, middle).size();
+  const DisplacementBound about_com = lists_.recent_course(X, com).size(),
+                          about_middle = lists_.recent_course(X, middle).size();
   double by_com = 0, by_middle = 0;
   for (std::size_t i = 0; i < count_; ++i) {
     by_com += about_com.of((local(i) - com).norm());
@@ -190,7 +190,7 @@ bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double
   if (!pairs.empty()) smallest_gap_ = pairs.front().gap;
   for (const NearPair& p : pairs) {
     effort.spend(contact_tuning.work_of_pair);
-    take(p, X, flat);
+    add_rows_of(p, X, flat);
   }
   linearise(chart, y);
   return true;
@@ -235,15 +235,16 @@ bool ContactRows::replace_far_rows(const Chart& chart, const Vec6& y, const Leas
   return any;
 }
 
-ContactRows::PathCheck ContactRows::cut(const Chart& chart, const Vec6& y, const Motion& motion,
-                                        double margin, Effort& effort) noexcept {
+ContactRows::PathCheck ContactRows::add_cuts(const Chart& chart, const Vec6& y,
+                                             const Motion& motion, double margin,
+                                             Effort& effort) noexcept {
   const PhaseTimer timer(times_, Phase::look);
   const double least = contact_tuning.kept_share * margin;
   const Transform end = motion.at(1);
   lists_.note_path(motion);
   if (lists_.serving().reach_at(end) <= least) {
     const Vec3 centre = least_moving_point(X_);
-    const Path path = path_of(motion, centre);
+    const LinearizedMotion path = linearized(motion, centre);
     // The list should also suffice for the gather that follows the step.
     const double next =
         std::max({least, 2 * least_asked_,
@@ -268,8 +269,8 @@ ContactRows::PathCheck ContactRows::cut(const Chart& chart, const Vec6& y, const
     out.clear = false;
     out.lost = std::max(out.lost, std::min(p.gap, margin) - gap);
     smallest_gap_ = std::min(smallest_gap_, p.gap);
-    keep({a, b});
-    take({p.a, p.b, p.normal, p.gap, a, b}, X_, infinity, &end);
+    remember({a, b});
+    add_rows_of({p.a, p.b, p.normal, p.gap, a, b}, X_, infinity, &end);
   }
   linearise(chart, y, before);
   out.news = count_ > before;
@@ -302,7 +303,7 @@ Sweep ContactRows::sweep_along(const Motion& motion, double clearance, Effort& e
     const PhaseTimer timer(times_, Phase::look);
     const Vec3 centre = least_moving_point(X_);
     lists_.renew(motion.at(0),
-                 {clearance, near_of(clearance), clearance, centre, path_of(motion, centre)},
+                 {clearance, near_of(clearance), clearance, centre, linearized(motion, centre)},
                  effort);
   }
   const PhaseTimer timer(times_, Phase::sweep);
@@ -341,7 +342,7 @@ LeastDistance ContactRows::solve(double margin, SmallGaps small_gaps, double ris
       least_distance({rows_.data(), count_ + rim_}, contact_tuning.solved_to * margin);
   for (std::size_t i = 0; i < static_cast<std::size_t>(nearest.active_count); ++i)
     if (const auto row = static_cast<std::size_t>(nearest.active[i]); row < count_)
-      keep(pair_of_[row]);
+      remember(pair_of_[row]);
   return nearest;
 }
 

@@ -20,10 +20,10 @@ namespace sonde {
 ///
 /// gather() makes rows of the nearest pairs of triangles. Where surfaces lie on each other, many
 /// pairs have the same gap, and the nearest few may all belong to one corner. So these rows are a
-/// first guess. cut() completes them: it tests the pose at the end of a step that the rows allow
-/// against all pairs, and adds rows for the pairs that obstruct the step. The caller solves again
-/// and repeats this until no pair obstructs the step (cutting planes; J. E. Kelley, 1960). If the
-/// optimum for some of the constraints satisfies all of them, it is also the optimum for all of
+/// first guess. add_cuts() completes them: it tests the pose at the end of a step that the rows
+/// allow against all pairs, and adds rows for the pairs that obstruct the step. The caller solves
+/// again and repeats this until no pair obstructs the step (cutting planes; J. E. Kelley, 1960). If
+/// the optimum for some of the constraints satisfies all of them, it is also the optimum for all of
 /// them, so the rows that are still missing do not matter. If there is no room for more rows, the
 /// sweep decides how far the step goes. Pairs that obstructed a step, or that were active in a
 /// solution, are kept for the next gather.
@@ -39,7 +39,7 @@ class ContactRows {
  public:
   /// How many pairs of triangles are gathered, and how many a neighbour list may hold.
   struct Finding {
-    /// A gather makes rows of at most this many pairs, the nearest. cut() finds the others.
+    /// A gather makes rows of at most this many pairs, the nearest. add_cuts() finds the others.
     std::size_t most_pairs = contact_tuning.most_pairs;
     /// Capacity, in pairs, of the neighbour list that is kept from one gather to the next. 0: there
     /// is no list.
@@ -91,9 +91,9 @@ class ContactRows {
   /// Works on the next neighbour list with the part of a limited effort that the tick has not used.
   void prepare_next_list(Effort& effort) noexcept;
 
-  /// Result of cut() at the end of a path.
+  /// Result of add_cuts() at the end of a path.
   struct PathCheck {
-    bool news = false;  ///< cut() added rows
+    bool news = false;  ///< add_cuts() added rows
     double lost = 0;    ///< m: largest loss of a pair: min(gap now, margin) − gap at the end
     bool clear = true;  ///< no pair obstructs the path; false also if the effort ran out
   };
@@ -101,8 +101,8 @@ class ContactRows {
   /// A pair obstructs the path if its gap at the end is below 95 % (ContactTuning::kept_share) of
   /// min(its gap at y, `margin`). Adds rows for the obstructing pairs, at most for the 48 deepest
   /// (ContactTuning::most_cut).
-  PathCheck cut(const Chart& chart, const Vec6& y, const Motion& motion, double margin,
-                Effort& effort) noexcept;
+  PathCheck add_cuts(const Chart& chart, const Vec6& y, const Motion& motion, double margin,
+                     Effort& effort) noexcept;
 
   /// Looks for active rows of a solution whose pair of triangles is in fact far apart, and replaces
   /// their normal by the direction of the pair's own closest points: a normal taken over from
@@ -148,14 +148,14 @@ class ContactRows {
   /// but at least `least` (m) and a share of `reach`, that smaller reach is used.
   NearPairs find_pairs(const Transform& X, double reach, double least, Effort& effort) noexcept;
   void accept(const Contact& contact, const TrianglePair& of) noexcept;
-  void keep(const TrianglePair& pair) noexcept;
+  void remember(const TrianglePair& pair) noexcept;
   /// Appends the kept pairs within `reach` (m) at X to the first `count` pairs of `pairs_`, and
   /// forgets the other kept pairs. Returns the number of pairs with the new ones.
   std::size_t add_kept(const Transform& X, double reach, std::size_t count) noexcept;
   bool is_news(const Contact& contact) const noexcept;
   /// `end`: the pose at the end of the path that the pair obstructs; null: no path is known.
-  void take(const NearPair& pair, const Transform& X, double flat,
-            const Transform* end = nullptr) noexcept;
+  void add_rows_of(const NearPair& pair, const Transform& X, double flat,
+                   const Transform* end = nullptr) noexcept;
   /// Makes rows of the contacts from index `from` up to `to`, in the chart at y, and the row of the
   /// chart's rim.
   void linearise(const Chart& chart, const Vec6& y, std::size_t from = 0,

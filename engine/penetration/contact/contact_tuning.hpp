@@ -16,7 +16,7 @@ struct ContactTuning {
   /// not converged.
   std::size_t most_rows = 256;
   /// Maximum number of pairs, the nearest, from which a gather of the coherent solver makes rows.
-  /// These rows are a first guess; cut() finds the others.
+  /// These rows are a first guess; add_cuts() finds the others.
   std::size_t most_pairs = 48;
   /// Maximum number of pairs, the deepest, that one check of a path may find; the next check finds
   /// the others. Where faces lie on each other, many pairs keep their gaps and do not obstruct the
@@ -57,7 +57,7 @@ struct ContactTuning {
 
   // Reach of the search for pairs
   /// Share of the reach that a gather asks for: a list in use that has at least this reach
-  /// suffices, and cut() finds the missing pairs.
+  /// suffices, and add_cuts() finds the missing pairs.
   double least_share_of_reach = 0.1;
   /// Share of a step's length: the reach that a list made for the step still has at the end of the
   /// step, for the gather there. (On nut-on-bolt, with 0, 0.05, 0.1 and 0.2, the p99 of a tick is

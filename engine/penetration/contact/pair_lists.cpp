@@ -54,7 +54,7 @@ NeighbourList::Coverage PairLists::coverage(const Transform& X, const Wanted& wa
   const double size = course.size().of(radius_);
   const double around = size > 0 ? contact_tuning.share_beside_course * length : length;
   const Course ahead = size > 0 ? (length - around) / size * course : Course{};
-  const Displacement off = deviation(X, ahead, X, wanted.path, wanted.centre, radius_);
+  const DisplacementBound off = deviation(X, ahead, X, wanted.path, wanted.centre, radius_);
   // The deviation from the course is both sliding and turning, whatever the course is.
   const double least = contact_tuning.least_share_of_turn;
   const double linear = std::clamp(size > 0 ? course.size().linear / size : 0.5, least, 1 - least);
@@ -122,7 +122,7 @@ void PairLists::prepare_next_list(const Transform& X, const Wanted& wanted,
     return;
   }
   const double ticks = std::ceil(static_cast<double>(last_work_) / std::max(left_over_, 1.0));
-  const Path until_then{(ticks + 1) * wanted.path.course, {}};
+  const LinearizedMotion until_then{(ticks + 1) * wanted.path.course, {}};
   if (serving().reach_at(X, until_then) > wanted.reach_at_end ||
       list.reach_at(X, wanted.path) > wanted.reach_at_end)
     return;

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "engine/geometry/transform.hpp"
-#include "engine/proximity/sweep/course.hpp"
+#include "engine/proximity/sweep/linearized_motion.hpp"
 #include "engine/proximity/sweep/neighbour_list.hpp"
 #include "engine/proximity/sweep/neighbour_reach.hpp"
 
@@ -43,7 +43,7 @@ class PairLists {
     double reach_on_path = 0;     ///< m: on all of the path, if there is room for so many pairs
     double reach_acceptable = 0;  ///< m: a list made in advance is used if its reach exceeds this
     Vec3 centre = Vec3::Zero();   ///< motions are measured about this point, probe's mesh frame
-    Path path;
+    LinearizedMotion path;
   };
   /// Replaces the list in use by one that covers `wanted` from X on: by the list made in advance if
   /// its reach is acceptable, otherwise by a new one. Does nothing if the path is so long that a

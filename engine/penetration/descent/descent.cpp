@@ -328,7 +328,7 @@ class Descent::Run {
     Vec6 step = descent_.next_step(chart_, y_, nearest_, margin_, rise, pace_);
     for (int round = 0; round < descent_tuning.most_cuts; ++round) {
       const ContactRows::PathCheck look =
-          rows_.cut(chart_, y_, Motion(chart_, y_, y_ + step), margin_, effort_);
+          rows_.add_cuts(chart_, y_, Motion(chart_, y_, y_ + step), margin_, effort_);
       if (look.clear || effort_.is_spent()) return step;
       if (look.news) {
         solve();

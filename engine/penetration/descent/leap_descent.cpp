@@ -89,7 +89,7 @@ std::optional<Vec6> LeapDescent::detour(const Chart& chart, const Vec6& first, d
   Effort unlimited;
   for (int round = 0; round < descent_tuning.most_cuts; ++round) {
     if (deadline.passed()) return std::nullopt;
-    const auto look = rows.cut(chart, y, Motion(chart, y, y + step), margin, unlimited);
+    const auto look = rows.add_cuts(chart, y, Motion(chart, y, y + step), margin, unlimited);
     if (!look.news) {
       // The rows know all obstacles, which bend into the path; or there is no room for more rows.
       limited_ += !look.clear && rows.is_full();

@@ -59,7 +59,7 @@ class LeapDescent {
   bool leap(const Chart& chart, const LeastDistance& nearest, double margin, ContactRows& rows,
             Pace& pace, Vec6& y, const Deadline& deadline);
   /// A leap to a free pose that avoids the obstacles of the leap `first`, with rows for all of
-  /// these obstacles (ContactRows::cut).
+  /// these obstacles (ContactRows::add_cuts).
   std::optional<Vec6> detour(const Chart& chart, const Vec6& first, double margin,
                              ContactRows& rows, double trust, const Vec6& y,
                              const Deadline& deadline);

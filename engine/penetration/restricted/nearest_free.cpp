@@ -14,15 +14,15 @@
 namespace sonde {
 namespace {
 
-/// Share of R: travel of the farthest point in the first stretch. The pairs of a stretch are
+/// Share of R: travel of the farthest point in the first interval. The pairs of an interval are
 /// collected in one traversal. (On knots of 1600 triangles, a constant 0.01 or 0.1 for all
-/// stretches took 1.5 times as long.)
-constexpr double first_stretch = 0.03;
-/// Pairs examined in a stretch: with fewer, the next stretch is twice as long, with more half as
-/// long. So a small probe crosses a large body in few stretches, and the pairs of fine meshes are
+/// intervals took 1.5 times as long.)
+constexpr double first_interval = 0.03;
+/// Pairs examined in an interval: with fewer, the next interval is twice as long, with more half as
+/// long. So a small probe crosses a large body in few intervals, and the pairs of fine meshes are
 /// not all examined at once.
 constexpr std::size_t few_pairs = 64, many_pairs = 16384;
-constexpr double shortest_stretch = first_stretch / 64;  ///< where surfaces lie on each other
+constexpr double shortest_interval = first_interval / 64;  ///< where surfaces lie on each other
 /// Pairs between two progress reports: some milliseconds.
 constexpr std::size_t pairs_per_report = 16384;
 
@@ -34,17 +34,17 @@ struct Blocked {
 
 class Walk {
  public:
-  Walk(const Body& probe, const Body& fixed, const OneWay& way)
+  Walk(const Body& probe, const Body& fixed, const OneDofMotion& motion)
       : probe_(probe),
         fixed_(fixed),
-        way_(way),
-        start_(way.at(0)),
-        speed_(way.speed(probe.mass.com, probe.mass.radius)),
+        motion_(motion),
+        start_(motion.at(0)),
+        speed_(motion.speed(probe.mass.com, probe.mass.radius)),
         stack_(std::make_unique<PairStack<SlotPair>>()) {}
 
   std::optional<FirstFree> run(double most, const Progress& progress) {
     const double whole = probe_.mass.radius / speed_;
-    double step = first_stretch * whole;
+    double step = first_interval * whole;
     for (double from = 0; from < most;) {
       const auto tell = [&] { report(progress, from / most); };
       tell();
@@ -53,18 +53,18 @@ class Walk {
       if (auto found = first_gap(from, to)) return found;
       from = to;
       if (looked_at < few_pairs) step *= 2;
-      if (looked_at > many_pairs) step = std::max(0.5 * step, shortest_stretch * whole);
+      if (looked_at > many_pairs) step = std::max(0.5 * step, shortest_interval * whole);
     }
     return std::nullopt;
   }
 
  private:
   /// Returns the number of pairs that it examined.
-  std::size_t find_blocked(const OneWay::Stretch& stretch, const auto& tell) {
-    const double from = stretch.from, to = stretch.to;
+  std::size_t find_blocked(const OneDofMotion::Interval& interval, const auto& tell) {
+    const double from = interval.from, to = interval.to;
     blocked_.clear();
     const double middle = 0.5 * (from + to);
-    const Placement placement(probe_, fixed_, Transform(way_.at(middle)));
+    const Placement placement(probe_, fixed_, Transform(motion_.at(middle)));
     guard_ = placement.guard;
     const double near = 0.5 * (to - from) * speed_ + guard_;
     const float reach = placement.to_unit_rounded_up(near);
@@ -78,7 +78,7 @@ class Walk {
         if (++looked_at % pairs_per_report == 0) tell();
         const std::uint32_t a = placement.triangle_a(p), b = placement.triangle_b(p);
         if (closest_points(placement.corners_a(a), placement.corners_b(b), near).distance <= near)
-          add_pair(a, b, stretch);
+          add_pair(a, b, interval);
         continue;
       }
       found.count = 0;
@@ -91,15 +91,15 @@ class Walk {
     return looked_at;
   }
 
-  void add_pair(std::uint32_t a, std::uint32_t b, const OneWay::Stretch& stretch) {
+  void add_pair(std::uint32_t a, std::uint32_t b, const OneDofMotion::Interval& interval) {
     const Corners on_a = corners(surface(probe_), a), on_b = corners(surface(fixed_), b);
-    events_.assign({stretch.from, stretch.to});
-    way_.events(place(start_, on_a), on_b, stretch, guard_, events_);
+    events_.assign({interval.from, interval.to});
+    motion_.events(place(start_, on_a), on_b, interval, guard_, events_);
     ordering::sort(events_);
     bool before = false;
     for (std::size_t i = 1; i < events_.size(); ++i) {
       if (!(events_[i] > events_[i - 1])) continue;
-      const Corners moved = place(Transform(way_.at(0.5 * (events_[i - 1] + events_[i]))), on_a);
+      const Corners moved = place(Transform(motion_.at(0.5 * (events_[i - 1] + events_[i]))), on_a);
       const Meeting meeting = classify(moved, on_b);
       const bool met = meeting == Meeting::meeting ||
                        (meeting == Meeting::doubtful && meet_exactly(moved, on_b));
@@ -131,7 +131,7 @@ class Walk {
     for (double beyond = guard_ / speed_; from + beyond < to; beyond *= 2) {
       FirstFree out = last_;
       out.s = from + beyond;
-      out.X_FM = way_.at(out.s);
+      out.X_FM = motion_.at(out.s);
       if (!overlap(probe_, fixed_, Transform(out.X_FM), Doubt::exact)) return out;
     }
     return std::nullopt;
@@ -139,7 +139,7 @@ class Walk {
 
   const Body& probe_;
   const Body& fixed_;
-  const OneWay& way_;
+  const OneDofMotion& motion_;
   Transform start_;
   double speed_;      // m per unit of s, of the fastest point
   double guard_ = 0;  // m: rounding error of coordinates
@@ -151,9 +151,10 @@ class Walk {
 
 }  // namespace
 
-std::optional<FirstFree> nearest_free(const Body& probe, const Body& fixed, const OneWay& way,
-                                      double most, const Progress& progress) {
-  return Walk(probe, fixed, way).run(most, progress);
+std::optional<FirstFree> nearest_free(const Body& probe, const Body& fixed,
+                                      const OneDofMotion& motion, double most,
+                                      const Progress& progress) {
+  return Walk(probe, fixed, motion).run(most, progress);
 }
 
 }  // namespace sonde

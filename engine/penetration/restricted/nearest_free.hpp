@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "engine/body/body.hpp"
-#include "engine/penetration/restricted/one_way.hpp"
+#include "engine/penetration/restricted/one_dof_motion.hpp"
 
 namespace sonde {
 
@@ -19,12 +19,13 @@ struct FirstFree {
 
 /// The least s up to `most` (m or rad, positive) at which the probe is free. Skips no free interval
 /// except those narrower than rounding: two triangles can begin or cease to intersect only at the
-/// values of s that OneWay::events finds (roots of functions of s), and nothing changes between
-/// these. The pose lies a few rounding errors beyond the root. No value if no pose up to `most` is
-/// free. Allocates.
+/// values of s that OneDofMotion::events finds (roots of functions of s), and nothing changes
+/// between these. The pose lies a few rounding errors beyond the root. No value if no pose up to
+/// `most` is free. Allocates.
 /// @throws Cancelled if `progress`, which is called with the share of the range examined so far,
 /// returns false.
-std::optional<FirstFree> nearest_free(const Body& probe, const Body& fixed, const OneWay& way,
-                                      double most, const Progress& progress = {});
+std::optional<FirstFree> nearest_free(const Body& probe, const Body& fixed,
+                                      const OneDofMotion& motion, double most,
+                                      const Progress& progress = {});
 
 }  // namespace sonde

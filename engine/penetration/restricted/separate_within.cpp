@@ -79,12 +79,13 @@ Separation separate_along(const Pair& pair, const Pose& X_FM, std::span<const Ve
   directions.reserve(directions_F.size());
   for (const Vec3& given : directions_F) directions.push_back(unit(given, "a direction"));
   const Pose X = normalized(X_FM);
-  if (const auto settled = trivial_separation(pair.probe(), pair.fixed(), X)) return *settled;
+  if (const auto trivial = trivial_separation(pair.probe(), pair.fixed(), X)) return *trivial;
   std::optional<FirstFree> best;
   double most = far_enough(pair, X);
   for (std::size_t i = 0; i < directions.size(); ++i) {
-    const auto found = nearest_free(pair.probe(), pair.fixed(), OneWay::along(X, directions[i]),
-                                    most, turn_of(progress, i, directions.size()));
+    const auto found =
+        nearest_free(pair.probe(), pair.fixed(), OneDofMotion::along(X, directions[i]), most,
+                     turn_of(progress, i, directions.size()));
     if (!found) continue;
     best = found;
     most = found->s;
@@ -98,14 +99,14 @@ Separation separate_about(const Pair& pair, const Pose& X_FM, const Vec3& point_
   const Vec3 axis = unit(axis_F, "the axis");
   if (!point_F.allFinite()) throw InputError("the point of the axis is not finite");
   const Pose X = normalized(X_FM);
-  if (const auto settled = trivial_separation(pair.probe(), pair.fixed(), X)) return *settled;
-  const OneWay there = OneWay::about(X, point_F, axis);
+  if (const auto trivial = trivial_separation(pair.probe(), pair.fixed(), X)) return *trivial;
+  const OneDofMotion there = OneDofMotion::about(X, point_F, axis);
   std::optional<FirstFree> best;
   double most = std::numbers::pi;
   for (const std::size_t turn : {std::size_t{0}, std::size_t{1}}) {
-    const OneWay way = turn == 0 ? there : there.back();
+    const OneDofMotion motion = turn == 0 ? there : there.back();
     const auto found =
-        nearest_free(pair.probe(), pair.fixed(), way, most, turn_of(progress, turn, 2));
+        nearest_free(pair.probe(), pair.fixed(), motion, most, turn_of(progress, turn, 2));
     if (!found) continue;
     best = found;
     most = found->s;
@@ -119,7 +120,7 @@ Separation separate_in_plane(const Pair& pair, const Pose& X_FM, const InPlane& 
   check(options);
   const Vec3 normal = unit(motions.normal_F, "the normal");
   const Pose X = normalized(X_FM);
-  if (const auto settled = trivial_separation(pair.probe(), pair.fixed(), X)) return *settled;
+  if (const auto trivial = trivial_separation(pair.probe(), pair.fixed(), X)) return *trivial;
   return planar_separation(pair, X, normal, motions.turning, options, progress);
 }
 

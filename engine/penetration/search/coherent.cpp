@@ -11,7 +11,7 @@
 #include "engine/penetration/contact/contact_clusters.hpp"
 #include "engine/penetration/descent/descent.hpp"
 #include "engine/penetration/descent/result.hpp"
-#include "engine/penetration/search/far_apart.hpp"
+#include "engine/penetration/search/free_region.hpp"
 #include "engine/penetration/search/static_search.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 #include "engine/proximity/queries/near_pairs.hpp"
@@ -55,7 +55,7 @@ struct CoherentSolver::State {
   Method method;
   Descent descent;
   ClusterIds ids;
-  FarApart far_apart{probe, fixed};
+  FreeRegion free_region{probe, fixed};
   PhaseTimes times;  ///< of this tick, if timing is on
   bool timed = false;
   Separation last;
@@ -116,7 +116,7 @@ struct CoherentSolver::State {
   /// If the probe was free and cannot have reached any contact since, sets the result that a
   /// descent would find (in its one step, or in none if there is nothing to do) and returns true.
   bool stays_free(const Pose& to) noexcept {
-    if (last.status != Status::separated || !far_apart.covers(to)) return false;
+    if (last.status != Status::separated || !free_region.covers(to)) return false;
     const bool turns = device.q.coeffs() != to.q.coeffs();
     const bool follows_in_step =
         method == Method::pdg ? turns || device.p != to.p : !turns && device.p != to.p;
@@ -213,7 +213,7 @@ const Separation& CoherentSolver::reset(const Pose& X_FM, const StaticOptions& o
   s.device = s.last.device;
   s.separated = s.last.separated;
   s.descent.forget();
-  s.far_apart.forget();
+  s.free_region.forget();
   s.ids.forget();
   s.ids.follow(s.last.separated, s.probe.mass.radius, s.last.clusters);
   return s.last;
@@ -283,7 +283,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   // With zero inertia about an axis, the probe may not be at the device pose.
   if (s.last.status == Status::separated && s.probe.mass.inertia.minCoeff() > 0) {
     const PhaseTimer timer(s.timed ? &s.times : nullptr, Phase::look);
-    s.far_apart.look(device, farthest_move(s.probe.mass, s.device, device), effort);
+    s.free_region.look(device, farthest_move(s.probe.mass, s.device, device), effort);
   }
   s.last.phases = s.times;
   s.device = device;

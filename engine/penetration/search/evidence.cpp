@@ -12,7 +12,7 @@ int Evidence::agreeing() const {
   return out;
 }
 
-bool Evidence::settles() const {
+bool Evidence::is_conclusive() const {
   if (optima_.empty()) return false;
   if (agreeing() >= rules_.agreement) return true;
   return rules_.by_sketches && sketches_see() && sketches_are_clear();
@@ -25,15 +25,15 @@ bool Evidence::sketches_are_clear() const {
 }
 
 bool Evidence::sketches_see() const {
-  if (sketched_.empty() || sketches_.ends().empty()) return false;
+  if (descents_.empty() || sketches_.ends().empty()) return false;
   return optima_.best() < rules_.tuned.blind * sketches_.ends().front().depth + sketch_error();
 }
 
-bool Evidence::may_be_narrow() const { return !settles() || may_be_deep(); }
+bool Evidence::may_be_narrow() const { return !is_conclusive() || may_be_deep(); }
 
 bool Evidence::is_far_out(double depth) const {
-  if (sketched_.empty()) return false;
-  const double deepest = sketched_[0].depth_of_points(chart_, Vec6::Zero());
+  if (descents_.empty()) return false;
+  const double deepest = descents_[0].depth_of_points(chart_, Vec6::Zero());
   return deepest > 0 && depth > rules_.tuned.narrow * deepest;
 }
 

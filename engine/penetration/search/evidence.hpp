@@ -18,18 +18,18 @@ class Evidence {
     bool by_sketches = true;  ///< whether sketches may suffice (StaticOptions::by_evidence)
     const SearchTuning& tuned = search_tuning;
   };
-  /// `sketched`: empty if the pair has no sketches.
+  /// `descents`: empty if the pair has no sketches.
   Evidence(const Chart& chart, const Rules& rules, const LocalOptima& optima,
-           SketchSearch& sketches, std::span<SketchDescent> sketched)
-      : chart_(chart), rules_(rules), optima_(optima), sketches_(sketches), sketched_(sketched) {}
+           SketchSearch& sketches, std::span<SketchDescent> descents)
+      : chart_(chart), rules_(rules), optima_(optima), sketches_(sketches), descents_(descents) {}
 
   /// The best result so far is probably the global optimum.
-  bool settles() const;
+  bool is_conclusive() const;
   /// Whether the sketches can be trusted: the best depth found on the bodies is about the best
   /// depth found on the sketches.
   bool sketches_see() const;
   /// Whether a shorter separating motion may exist through a gap too narrow for the sketches to
-  /// resolve: the search has not settled, or may_be_deep(). Requires sketches.
+  /// resolve: the evidence is not conclusive, or may_be_deep(). Requires sketches.
   bool may_be_narrow() const;
   /// Whether the best separating motion found is long compared with the overlap. The number of
   /// agreeing starts does not count here: agreement shows that many starts reach a separating
@@ -40,7 +40,7 @@ class Evidence {
   /// (Separation::far_out).
   bool is_far_out(double depth) const;
   /// Estimated error, m, of depths found on sketches. Requires sketches.
-  double sketch_error() const { return rules_.tuned.sketch_error * sketched_[0].spacing(); }
+  double sketch_error() const { return rules_.tuned.sketch_error * descents_[0].spacing(); }
 
  private:
   int agreeing() const;
@@ -50,7 +50,7 @@ class Evidence {
   Rules rules_;
   const LocalOptima& optima_;
   SketchSearch& sketches_;
-  std::span<SketchDescent> sketched_;
+  std::span<SketchDescent> descents_;
 };
 
 }  // namespace sonde

@@ -42,7 +42,7 @@ Separation Search::run() {
   if (optima_.empty()) beyond_ends();
   more_sketches();
   if (has_sketches() && !is_over() && evidence_.may_be_narrow()) pushed_starts();
-  if (!rotates() && !evidence_.settles()) starts_outside(per_round);
+  if (!rotates() && !evidence_.is_conclusive()) starts_outside(per_round);
   if (rotates() && (optima_.empty() || budget_.counts_steps())) translation_on_the_way();
   if (optima_.empty()) return failed(chart_.device(), "no free pose was found");
   if (rotates() && evidence_.may_be_deep())
@@ -83,7 +83,7 @@ void Search::accept(const LocalOptimum& place) {
     return;
   }
   add(place);
-  if (budget_.counts_steps() && optima_.best() < settled_) settle();
+  if (budget_.counts_steps() && optima_.best() < in_contact_) bring_into_contact();
 }
 
 void Search::add(const LocalOptimum& place) {
@@ -92,8 +92,8 @@ void Search::add(const LocalOptimum& place) {
   if (place.y.head<3>().isZero(0) && place.depth < translated_.depth) translated_ = place;
 }
 
-void Search::settle() {
-  settled_ = optima_.best();
+void Search::bring_into_contact() {
+  in_contact_ = optima_.best();
   verified_.add(refined(options_.method, optima_.nearest(1)[0], 0));
 }
 
@@ -101,7 +101,7 @@ void Search::first_sketches() {
   sketches_.make_starts(tuned_.first_sketches, tuned_.most_first_sketches, tuned_.clear);
 }
 
-void Search::first_sketched_start() {
+void Search::first_start_on_sketches() {
   if (!has_sketches()) return;
   first_sketches();
   from_ends(sketches_, options_.method, 1);
@@ -111,7 +111,7 @@ void Search::begin() {
   if (rotates() && !budget_.is_limited()) {
     finish_translation();
   } else if (rotates() && budget_.counts_steps()) {
-    first_sketched_start();
+    first_start_on_sketches();
     first_translation();
   } else if (rotates() && budget_.is_timed() && !has_sketches()) {
     // The first push may end far out; spending more time on it would then give a worse answer than
@@ -232,7 +232,7 @@ void Search::first_translations() {
                         tuned_);
   sketches.make_starts(tuned_.first_sketches / 2, tuned_.first_sketches / 2, 0);
   other_sketches_ += sketches.made();
-  from_ends(sketches, Method::pdt, evidence_.settles() ? 1 : 2);
+  from_ends(sketches, Method::pdt, evidence_.is_conclusive() ? 1 : 2);
 }
 
 void Search::finish_translation() {

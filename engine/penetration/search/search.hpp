@@ -79,13 +79,13 @@ class Search {
   void add(const LocalOptimum& place);
 
   /// Moves the best local optimum into contact, so that it can be returned if the steps run out.
-  void settle();
+  void bring_into_contact();
 
   void first_sketches();
   /// Starts from the nearest end on the sketches, which costs no steps. That end is so near the
   /// best depth that few steps suffice, whereas a descent by translation may use all of them and
   /// end far above.
-  void first_sketched_start();
+  void first_start_on_sketches();
 
   /// The stages before all others, depending on the time or step budget.
   void begin();
@@ -132,8 +132,8 @@ class Search {
   /// As long as it is undecided which end on the sketches is the best: makes more starts on
   /// sketches, and descends with the bodies from their ends.
   void more_sketches();
-  /// As long as the search has not settled: starts from random poses. Without sketches, these are
-  /// the whole search.
+  /// As long as the evidence is not conclusive: starts from random poses. Without sketches, these
+  /// are the whole search.
   void random_rounds();
   /// For a separating motion that is long compared with the overlap. Then almost no pose near the
   /// best optima is free: random free poses do not come near these optima, and the number of
@@ -142,7 +142,7 @@ class Search {
   /// After each improvement of the best depth, as many starts as before follow, since there may be
   /// a still better optimum.
   void pushed_rounds();
-  bool goes_on() const { return !is_over() && !evidence_.settles(); }
+  bool goes_on() const { return !is_over() && !evidence_.is_conclusive(); }
   /// No more starts. Called before each start, on the calling thread only.
   bool is_over() const {
     report(progress_, std::min(1.0, made_ / std::max(1.0, static_cast<double>(options_.starts))));
@@ -182,10 +182,10 @@ class Search {
   Evidence evidence_;
   LocalOptimum translated_;
   std::optional<Separation> finished_;  // PD_t result from a search of its own
-  double settled_ = std::numeric_limits<double>::infinity();  // m: best depth moved into contact
-  int most_steps_ = std::numeric_limits<int>::max();          // limit per start
-  int share_ = 0;                                             // steps that a start may take
-  int made_ = 0;                                              // starts made
+  double in_contact_ = std::numeric_limits<double>::infinity();  // m: best depth moved into contact
+  int most_steps_ = std::numeric_limits<int>::max();             // limit per start
+  int share_ = 0;                                                // steps that a start may take
+  int made_ = 0;                                                 // starts made
   int limited_ = 0;
   int other_sketches_ = 0;  // starts on sketches in searches for translations
 };

@@ -55,10 +55,10 @@ Separation separate_static(const Pair& pair, const Pose& X_FM, const StaticOptio
                            const SearchTuning& tuning, const Progress& progress) {
   const Deadline deadline{options.budget.microseconds, now_us()};
   const Pose device = is_finite(X_FM) ? Pose{X_FM.q.normalized(), X_FM.p} : X_FM;
-  if (auto settled = trivial_separation(pair.probe(), pair.fixed(), device)) {
-    if (options.want_clearance && settled->status == Status::separated)
-      settled->clearance = clearance_of(pair.probe(), pair.fixed(), device, false);
-    return *settled;
+  if (auto trivial = trivial_separation(pair.probe(), pair.fixed(), device)) {
+    if (options.want_clearance && trivial->status == Status::separated)
+      trivial->clearance = clearance_of(pair.probe(), pair.fixed(), device, false);
+    return *trivial;
   }
   if (auto touching = touching_separation(pair.probe(), pair.fixed(), device, options.method)) {
     if (options.want_lower_bound && (pair.probe().solid || pair.fixed().solid))

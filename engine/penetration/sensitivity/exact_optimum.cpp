@@ -173,7 +173,7 @@ double ExactOptimum::step() noexcept {
   return length;
 }
 
-bool ExactOptimum::settle(double most) noexcept {
+bool ExactOptimum::move_to_optimum(double most) noexcept {
   double way = 0;
   for (int round = 0; round < most_rounds; ++round) {
     if (!choose()) return false;

@@ -40,7 +40,7 @@ class ExactOptimum {
   /// Starts at X_FQ. Keeps a reference to the rows.
   void begin(const Pose& X_FQ, std::span<const FeatureRow> rows) noexcept;
   /// Moves to the optimum. Returns false if it is further than `most` (m), or is not found.
-  bool settle(double most) noexcept;
+  bool move_to_optimum(double most) noexcept;
 
   const Pose& pose() const noexcept { return X_FQ_; }
   /// The rows that hold the probe there, as contacts without a gap.

@@ -7,7 +7,7 @@
 #include "engine/base/round_to_nearest.hpp"
 #include "engine/body/body.hpp"
 #include "engine/penetration/descent/descent.hpp"
-#include "engine/penetration/search/far_apart.hpp"
+#include "engine/penetration/search/free_region.hpp"
 #include "engine/penetration/sensitivity/exact_optimum.hpp"
 #include "engine/penetration/sensitivity/facing_features.hpp"
 #include "engine/proximity/queries/near_pairs.hpp"
@@ -44,9 +44,9 @@ struct Place {
 };
 
 /// Finds the exact optimum near a separation.
-class Settling {
+class OptimumFinder {
  public:
-  Settling(const Pair& pair, const Separation& now, Neighbours neighbours) noexcept
+  OptimumFinder(const Pair& pair, const Separation& now, Neighbours neighbours) noexcept
       : probe_(pair.probe()),
         fixed_(pair.fixed()),
         now_(now),
@@ -54,15 +54,15 @@ class Settling {
         clearance_(allowed_clearance(probe_.mass.radius, now.depth)) {}
 
   /// Returns null, or the reason why there is no optimum.
-  const char* settle(Place& place) const noexcept {
+  const char* find(Place& place) const noexcept {
     const double reach = reach_of_clearance * clearance_;
     Look look{now_.separated, now_.contacts, reach, Where::at_contacts};
-    const char* problem = settle_somehow(look, place);
+    const char* problem = find_from_either(look, place);
     // After a longer move, other features may face each other.
     for (int round = 0; !problem && moved(look.from, place.optimum) > reach; ++round) {
       if (round == most_looks) return "the search ended too far from an optimum";
       look = {place.optimum.pose(), place.optimum.contacts(), reach, Where::at_contacts};
-      problem = settle_somehow(look, place);
+      problem = find_from_either(look, place);
     }
     if (problem || neighbours_ == Neighbours::of_contacts) return problem;
     // The probe has moved nearer to other features, which may hold it as well. They are searched
@@ -70,7 +70,7 @@ class Settling {
     const double far = moved(now_.separated, place.optimum);
     if (!(far > clearance_)) return nullptr;
     look = {now_.separated, now_.contacts, reach + far, look.where};
-    return settle(look, place);
+    return find_from(look, place);
   }
   double clearance() const { return clearance_; }
 
@@ -87,13 +87,13 @@ class Settling {
   double moved(const Pose& from, const ExactOptimum& optimum) const noexcept {
     return farthest_move(probe_.mass, from, optimum.pose());
   }
-  const char* settle_somehow(Look& look, Place& place) const noexcept {
-    const char* problem = settle(look, place);
+  const char* find_from_either(Look& look, Place& place) const noexcept {
+    const char* problem = find_from(look, place);
     if (!problem || problem == too_many) return problem;
     look.where = Where::in_hollows;
-    return settle(look, place);
+    return find_from(look, place);
   }
-  const char* settle(const Look& look, Place& place) const noexcept {
+  const char* find_from(const Look& look, Place& place) const noexcept {
     FacingFeatures& features = place.features;
     features.begin(Transform(look.from), look.reach);
     for (const Contact& c : look.contacts) {
@@ -104,7 +104,8 @@ class Settling {
     if (features.overflowed()) return too_many;
     place.optimum.begin(look.from, features.rows());
     const double most = std::max(most_off * now_.depth, reach_of_clearance * clearance_);
-    return place.optimum.settle(most) ? nullptr : "the contacts found do not hold the probe";
+    return place.optimum.move_to_optimum(most) ? nullptr
+                                               : "the contacts found do not hold the probe";
   }
 
   /// Returns false if there are more pairs than there is room for.
@@ -135,12 +136,12 @@ WrenchDerivative wrench_derivative(const Pair& pair, const Separation& now,
     return out;
   }
   if (!now.converged) return without("the search has not converged");
-  const Settling settling(pair, now, neighbours);
-  if (!(now.depth > settling.clearance())) return without("the probe only touches");
+  const OptimumFinder finder(pair, now, neighbours);
+  if (!(now.depth > finder.clearance())) return without("the probe only touches");
   Place place(pair, now.device);
-  if (const char* problem = settling.settle(place)) return without(problem);
+  if (const char* problem = finder.find(place)) return without(problem);
   ExactOptimum& optimum = place.optimum;
-  const int weak = optimum.find_weak(weak_push * now.depth, settling.clearance());
+  const int weak = optimum.find_weak(weak_push * now.depth, finder.clearance());
   ExactOptimum::Change left, held;
   const bool strict =
       optimum.derivative(false, left) && (weak == 0 || optimum.derivative(true, held));

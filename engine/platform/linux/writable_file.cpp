@@ -50,12 +50,12 @@ bool WritableFile::write(std::string_view bytes) {
 
 bool WritableFile::sync() { return noted(::fsync(static_cast<int>(handle_)) == 0); }
 
-bool WritableFile::hold() {
+bool WritableFile::lock() {
   // Where a file system has no locks, nobody else holds one.
   return ::flock(static_cast<int>(handle_), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
 }
 
-bool WritableFile::cut(std::uint64_t size) {
+bool WritableFile::truncate(std::uint64_t size) {
   const int descriptor = static_cast<int>(handle_);
   const auto end = static_cast<off_t>(size);
   return noted(::ftruncate(descriptor, end) == 0 && ::lseek(descriptor, end, SEEK_SET) == end);

@@ -45,11 +45,11 @@ bool WritableFile::write(std::string_view bytes) {
 
 bool WritableFile::sync() { return noted(std::fflush(stream(handle_)) == 0); }
 
-bool WritableFile::hold() { return true; }
+bool WritableFile::lock() { return true; }
 
 // The standard library cuts files that are closed alone: what is too much stays. Readers of a
 // recording stop at its last whole block.
-bool WritableFile::cut(std::uint64_t) { return false; }
+bool WritableFile::truncate(std::uint64_t) { return false; }
 
 bool WritableFile::close() {
   if (!is_open()) return error_ == 0;

@@ -105,30 +105,30 @@ SONDE_INLINE void gaps_of(const PlacedBox& box, const Tree::Node& node, std::uin
   store(best - o.rounding, out.value + first);
 }
 
-/// Subtracts from a gap along an axis the amount by which the motion `way` can reduce it. `d` and
-/// `way` are projections on the axis; the sign of `d` says on which side the gap is.
+/// Subtracts from a gap along an axis the amount by which the motion `shift` can reduce it. `d` and
+/// `shift` are projections on the axis; the sign of `d` says on which side the gap is.
 template <class Floats>
-SONDE_INLINE void lose(const Floats& d, const Floats& way, Floats& gap) {
+SONDE_INLINE void lose(const Floats& d, const Floats& shift, Floats& gap) {
   const Floats none{};
-  const Floats closing = d > 0 ? -way : way;
+  const Floats closing = d > 0 ? -shift : shift;
   gap -= closing > 0 ? closing : none;
 }
 
 template <class Floats>
-SONDE_INLINE void gaps_on_way_of(const PlacedBox& box, const Tree::Node& node, std::uint32_t first,
-                                 float scale, Lanes& out) {
+SONDE_INLINE void gaps_shifted_of(const PlacedBox& box, const Tree::Node& node, std::uint32_t first,
+                                  float scale, Lanes& out) {
   Boxes<Floats> b;
   load(node, first, scale, box.origin, b);
   Outside<Floats> o;
   compare(box, b, o);
   const Floats dx = box.center[0] - b.center.x, dy = box.center[1] - b.center.y,
                dz = box.center[2] - b.center.z;
-  const float(&w)[3] = box.way;
+  const float(&w)[3] = box.shift;
   Floats best;
   for (int i = 0; i < 3; ++i) {
     const Floats along = dx * box.axis[i][0] + dy * box.axis[i][1] + dz * box.axis[i][2];
-    const float way = w[0] * box.axis[i][0] + w[1] * box.axis[i][1] + w[2] * box.axis[i][2];
-    lose(along, Floats{} + way, o.in_a[i]);
+    const float shift = w[0] * box.axis[i][0] + w[1] * box.axis[i][1] + w[2] * box.axis[i][2];
+    lose(along, Floats{} + shift, o.in_a[i]);
     if (i == 0)
       best = o.in_a[0];
     else
@@ -137,8 +137,8 @@ SONDE_INLINE void gaps_on_way_of(const PlacedBox& box, const Tree::Node& node, s
   for (int j = 0; j < 3; ++j) {
     const Vectors<Floats>& axis = b.axis[j];
     const Floats along = dx * axis.x + dy * axis.y + dz * axis.z;
-    const Floats way = w[0] * axis.x + w[1] * axis.y + w[2] * axis.z;
-    lose(along, way, o.in_b[j]);
+    const Floats shift = w[0] * axis.x + w[1] * axis.y + w[2] * axis.z;
+    lose(along, shift, o.in_b[j]);
     larger(best, o.in_b[j], best);
   }
   const float size = __builtin_fabsf(w[0]) + __builtin_fabsf(w[1]) + __builtin_fabsf(w[2]);
@@ -212,10 +212,10 @@ SONDE_INLINE void ray_gaps_of(const PlacedRay& ray, const Tree::Node& node, std:
   namespace NAME {                                                             \
   SONDE_BOX_KERNEL(distances, distances_of, PlacedBox, FLOATS, ATTRIBUTE)      \
   SONDE_BOX_KERNEL(gaps, gaps_of, PlacedBox, FLOATS, ATTRIBUTE)                \
-  SONDE_BOX_KERNEL(ways, gaps_on_way_of, PlacedBox, FLOATS, ATTRIBUTE)         \
+  SONDE_BOX_KERNEL(shifted, gaps_shifted_of, PlacedBox, FLOATS, ATTRIBUTE)     \
   SONDE_BOX_KERNEL(points, point_distances_of, PlacedPoint, FLOATS, ATTRIBUTE) \
   SONDE_BOX_KERNEL(rays, ray_gaps_of, PlacedRay, FLOATS, ATTRIBUTE)            \
-  constexpr BoxKernels kernels{distances, gaps, ways, points, rays};           \
+  constexpr BoxKernels kernels{distances, gaps, shifted, points, rays};        \
   }
 
 // NOLINTEND(bugprone-macro-parentheses)

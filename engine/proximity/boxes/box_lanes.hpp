@@ -22,7 +22,7 @@ struct PlacedBox {
   /// face normals: unit to rounding, or zero for none.
   float direction[3] = {0, 0, 0};
   /// Its straight displacement from here, relative to the boxes of the node.
-  float way[3] = {0, 0, 0};
+  float shift[3] = {0, 0, 0};
 };
 
 /// A point, or a ray from it, in the same frame and unit: at origin + rest.
@@ -70,8 +70,8 @@ struct BoxKernels {
   void (*distances)(const PlacedBox& box, const Tree::Node& node, float scale, Lanes& out);
   /// The largest gap along the six face normals (negative if they overlap along all).
   void (*gaps)(const PlacedBox& box, const Tree::Node& node, float scale, Lanes& out);
-  /// The same, valid along the whole displacement `way` of the placed box.
-  void (*gaps_on_way)(const PlacedBox& box, const Tree::Node& node, float scale, Lanes& out);
+  /// The same, valid along the whole displacement `shift` of the placed box.
+  void (*gaps_shifted)(const PlacedBox& box, const Tree::Node& node, float scale, Lanes& out);
   /// Lower bounds of the distances of a point.
   void (*point_distances)(const PlacedPoint& point, const Tree::Node& node, float scale,
                           Lanes& out);

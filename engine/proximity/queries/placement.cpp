@@ -119,7 +119,7 @@ std::uint32_t Placement::compare(std::uint32_t slot_a, const Tree::Node& node_b,
                                  float limit, Lanes& bounds) const {
   PlacedBox box = placed(a_.tree, slot_a, frames_.a_to_b, scale_);
   Eigen::Map<Eigen::Vector3f>(box.direction) = toward_a_;
-  Eigen::Map<Eigen::Vector3f>(box.way) = way_of_a_;
+  Eigen::Map<Eigen::Vector3f>(box.shift) = shift_of_a_;
   kernel(box, node_b, scale_, bounds);
   return at_most(bounds, limit + float_guard_, node_b);
 }
@@ -128,7 +128,7 @@ std::uint32_t Placement::compare(const Tree::Node& node_a, std::uint32_t slot_b,
                                  float limit, Lanes& bounds) const {
   PlacedBox box = placed(b_.tree, slot_b, frames_.b_to_a, scale_);
   Eigen::Map<Eigen::Vector3f>(box.direction) = toward_b_;
-  Eigen::Map<Eigen::Vector3f>(box.way) = way_of_b_;
+  Eigen::Map<Eigen::Vector3f>(box.shift) = shift_of_b_;
   kernel(box, node_a, scale_, bounds);
   return at_most(bounds, limit + float_guard_, node_a);
 }
@@ -190,10 +190,10 @@ void Placement::open_by_faces(const SlotPair& p, float limit, SlotPairs& out) co
   open_both(p, kernels_.gaps, limit, out);
 }
 
-void Placement::open_on_way(const SlotPair& p, const Vec3& way, float limit, SlotPairs& out) {
-  way_of_a_ = (per_unit_ * way).cast<float>();
-  way_of_b_ = -(per_unit_ * (X.R.transpose() * way)).cast<float>();
-  open_both(p, kernels_.gaps_on_way, limit, out);
+void Placement::open_shifted(const SlotPair& p, const Vec3& shift, float limit, SlotPairs& out) {
+  shift_of_a_ = (per_unit_ * shift).cast<float>();
+  shift_of_b_ = -(per_unit_ * (X.R.transpose() * shift)).cast<float>();
+  open_both(p, kernels_.gaps_shifted, limit, out);
 }
 
 void Placement::open_larger_box(const SlotPair& p, SlotPairs& out) const {

@@ -145,9 +145,9 @@ class Placement {
   /// As open_near, but the bound is the largest separation along the six face normals. It takes
   /// less work, and is lower for boxes whose nearest points are corners or edges.
   void open_by_faces(const SlotPair& p, float limit, SlotPairs& out) const;
-  /// As open_by_faces, but the bound holds along a straight motion of A's box from here: `way` is
-  /// its displacement, m, in B's frame.
-  void open_on_way(const SlotPair& p, const Vec3& way, float limit, SlotPairs& out);
+  /// As open_by_faces, but the bound holds along a straight motion of A's box from here: `shift`
+  /// is its displacement, m, in B's frame.
+  void open_shifted(const SlotPair& p, const Vec3& shift, float limit, SlotPairs& out);
   /// Opens the larger box only, without a limit. A query uses it for its first descent.
   void open_larger_box(const SlotPair& p, SlotPairs& out) const;
   /// Opens one box or both, and leaves out the pairs that one of the six face normals separates.
@@ -182,8 +182,8 @@ class Placement {
   Eigen::Vector3f toward_a_ = Eigen::Vector3f::Zero();  // in B's frame
   Eigen::Vector3f toward_b_ = Eigen::Vector3f::Zero();  // in A's frame
   // Displacement of A's box in B's frame, and of B's box in A's frame, in the placement's unit.
-  Eigen::Vector3f way_of_a_ = Eigen::Vector3f::Zero();
-  Eigen::Vector3f way_of_b_ = Eigen::Vector3f::Zero();
+  Eigen::Vector3f shift_of_a_ = Eigen::Vector3f::Zero();
+  Eigen::Vector3f shift_of_b_ = Eigen::Vector3f::Zero();
   double per_unit_;
   float scale_;
   float float_guard_;

@@ -36,7 +36,7 @@ NeighbourList::NeighbourList(const Body& a, const Body& b, std::size_t capacity)
 }
 
 void NeighbourList::travel_to(const Transform& X) noexcept {
-  const Displacement more = displacement(last_, X, centre_);
+  const DisplacementBound more = displacement_bound(last_, X, centre_);
   linear_ += more.linear * (1 + 1e-12);
   turned_ += more.turn * (1 + 1e-12);
   last_ = X;
@@ -55,15 +55,15 @@ double NeighbourList::guard(const Transform& X) const noexcept {
 }
 
 double NeighbourList::left(const Coverage& room, const Transform& X,
-                           const Path& path) const noexcept {
+                           const LinearizedMotion& path) const noexcept {
   // The minimum over all arms. Distances are rounded at the list's pose and again at this one.
-  const Displacement off = deviation(X_, room.ahead, X, path, centre_, longest_arm_);
-  const Displacement left{room.around.linear - off.linear, room.around.turn - off.turn};
+  const DisplacementBound off = deviation(X_, room.ahead, X, path, centre_, longest_arm_);
+  const DisplacementBound left{room.around.linear - off.linear, room.around.turn - off.turn};
   return std::min(left.linear, left.of(longest_arm_)) - 2 * guard(X);
 }
 
 bool NeighbourList::covers(const Motion& motion, double clearance) const noexcept {
-  return reach_at(motion.at(0), path_of(motion, centre_)) > clearance;
+  return reach_at(motion.at(0), linearized(motion, centre_)) > clearance;
 }
 
 void NeighbourList::learn(std::size_t k, double gap, double rounding) noexcept {
@@ -73,7 +73,7 @@ void NeighbourList::learn(std::size_t k, double gap, double rounding) noexcept {
 }
 
 template <class Visit>
-void NeighbourList::each_due(const Displacement& ahead, double within,
+void NeighbourList::each_due(const DisplacementBound& ahead, double within,
                              const Visit& visit) const noexcept {
   for (std::size_t k = 0; k < blocks(); ++k) {
     if (spare(block_bounds_[k]) > within + ahead.of(block_bounds_[k].arm)) continue;
@@ -154,7 +154,7 @@ std::size_t NeighbourList::violations(const Transform& X, double least, std::spa
       ordering::push_heap(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(found), deeper);
     });
   };
-  each_due(displacement(last_, X, centre_), least + rounding, [&](std::size_t k) {
+  each_due(displacement_bound(last_, X, centre_), least + rounding, [&](std::size_t k) {
     if (!effort.spend(work_to_look)) return;
     alignas(64) double gap[block];
     gaps_at(lanes_[k], at, gap);
@@ -173,7 +173,7 @@ Sweep NeighbourList::sweep_along(const Motion& motion, double clearance, Effort&
   PairSweep pairs(a_, b_, motion, clearance);
   travel_to(pairs.start().X);
   const double rounding = guard(pairs.start().X), room = clearance + pairs.guard();
-  const Displacement ahead = displacement_along(motion, centre_);
+  const DisplacementBound ahead = displacement_bound_along(motion, centre_);
   const ArmMap from = arms_at(a_, pairs.start().X), to = arms_at(a_, pairs.end());
   const ArmMap bend = arm_map(motion.bend(), Vec3::Zero());
   std::size_t open = 0;
@@ -208,7 +208,7 @@ Sweep NeighbourList::sweep_along(const Motion& motion, double clearance, Effort&
 }
 
 void NeighbourList::follow(std::span<const UnprovenPair> open, PairSweep& pairs,
-                           const Displacement& ahead, Effort& effort) noexcept {
+                           const DisplacementBound& ahead, Effort& effort) noexcept {
   const double clearance = pairs.clearance();
   TriangleBatch at_start(a_, b_, pairs.start().X), at_end(a_, b_, pairs.end());
   const auto passes = [&](const TriangleBatch::Pair& pair, const Vec3& n) {

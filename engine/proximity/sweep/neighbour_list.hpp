@@ -13,7 +13,7 @@
 #include "engine/proximity/queries/near_pairs.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/queries/violation.hpp"
-#include "engine/proximity/sweep/course.hpp"
+#include "engine/proximity/sweep/linearized_motion.hpp"
 #include "engine/proximity/sweep/motion.hpp"
 #include "engine/proximity/sweep/pair_sweep.hpp"
 #include "engine/proximity/sweep/sweep.hpp"
@@ -43,7 +43,7 @@ class NeighbourList {
   /// in the same direction. A list for its course holds fewer pairs than one for all directions,
   /// and stays valid as long.
   struct Coverage {
-    Displacement around;
+    DisplacementBound around;
     Course ahead = {};
   };
   /// The coverage that a build aims at. While it runs, the build changes from `wanted` to
@@ -60,7 +60,7 @@ class NeighbourList {
   /// ran out. In the second case go_on() can finish the list later.
   bool build_by(const BuildPlan& plan, const Transform& X, const Vec3& centre,
                 Effort& effort) noexcept;
-  bool build(const Transform& X, const Vec3& centre, const Displacement& room,
+  bool build(const Transform& X, const Vec3& centre, const DisplacementBound& room,
              Effort& effort) noexcept {
     return build_by({{room}, {room}}, X, centre, effort);
   }
@@ -73,7 +73,7 @@ class NeighbourList {
   bool go_on(Effort& effort) noexcept;
   bool is_unfinished() const noexcept { return unfinished_; }
   /// The value that reach_at() will return, for a path from X, when the build is finished.
-  double reach_when_finished(const Transform& X, const Path& path) const noexcept {
+  double reach_when_finished(const Transform& X, const LinearizedMotion& path) const noexcept {
     return planned_.around.linear < 0 ? -1 : left(planned_, X, path);
   }
 
@@ -90,7 +90,7 @@ class NeighbourList {
 
   /// m: the list holds every pair that comes within this distance at X or on the path from there.
   /// Negative: the list says nothing about that path.
-  double reach_at(const Transform& X, const Path& path = {}) const noexcept {
+  double reach_at(const Transform& X, const LinearizedMotion& path = {}) const noexcept {
     return coverage_.around.linear < 0 ? -1 : left(coverage_, X, path);
   }
   /// True if the list holds every pair that may come within `clearance` (m) along the motion.
@@ -130,7 +130,8 @@ class NeighbourList {
     double until;  ///< about where the pair may stop the path, 0 to 1
   };
   /// m: the reach that a list of this coverage has on a path from X.
-  double left(const Coverage& room, const Transform& X, const Path& path) const noexcept;
+  double left(const Coverage& room, const Transform& X,
+              const LinearizedMotion& path) const noexcept;
   /// m: what rounding may add to a distance at X or at the pose of the list.
   double guard(const Transform& X) const noexcept;
   /// Adds the displacement from the last pose to X to the accumulated travel of the probe.
@@ -144,21 +145,21 @@ class NeighbourList {
   /// Calls visit(k) for each block k with a pair that may come within `within` (m) while the probe
   /// moves by `ahead`.
   template <class Visit>
-  void each_due(const Displacement& ahead, double within, const Visit& visit) const noexcept;
+  void each_due(const DisplacementBound& ahead, double within, const Visit& visit) const noexcept;
   struct Candidates;
   /// How a box of A moves on the planned course.
-  struct Way {
-    double arm = 0;           ///< m: the longest arm of the box's points
-    Vec3 way = Vec3::Zero();  ///< m: displacement of the box's centre, fixed frame
-    double spread = 0;        ///< m: bound of the difference of any point's displacement from that
+  struct BoxMotion {
+    double arm = 0;             ///< m: the longest arm of the box's points
+    Vec3 shift = Vec3::Zero();  ///< m: displacement of the box's centre, fixed frame
+    double spread = 0;  ///< m: bound of the difference of any point's displacement from that
   };
-  Way way_of(std::uint32_t slot) const noexcept;
+  BoxMotion box_motion(std::uint32_t slot) const noexcept;
   /// True if the plan covers the pair. `due` holds its distance and arm, `normal` the direction
   /// that separates it (zero: none is known).
   bool is_in_plan(const Pair& pair, const BlockBound& due, const Vec3& normal) const noexcept;
   void start(const Transform& X, const Vec3& centre) noexcept;
   /// Appends the candidates that the plan covers.
-  void take(Candidates& of) noexcept;
+  void append_covered(Candidates& of) noexcept;
   /// Changes to the plan's fallback, and drops the pairs that it does not cover.
   void fall_back() noexcept;
   /// Appends a pair with its distance, its arm and the direction that separates it at the pose of
@@ -172,7 +173,7 @@ class NeighbourList {
   void learn(std::size_t k, double gap, double rounding) noexcept;
   /// Decides how far the unproven pairs leave a path free: tries other separating directions, and
   /// if none suffices, advances the pair along the path up to its stop.
-  void follow(std::span<const UnprovenPair> open, PairSweep& pairs, const Displacement& ahead,
+  void follow(std::span<const UnprovenPair> open, PairSweep& pairs, const DisplacementBound& ahead,
               Effort& effort) noexcept;
 
   const Body& a_;

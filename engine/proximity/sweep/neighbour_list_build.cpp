@@ -15,7 +15,7 @@ constexpr int work_to_take = 4;  // to add one pair, in units of Effort
 
 }  // namespace
 
-NeighbourList::Way NeighbourList::way_of(std::uint32_t slot) const noexcept {
+NeighbourList::BoxMotion NeighbourList::box_motion(std::uint32_t slot) const noexcept {
   const Vec3 to_center = a_.tree.center(slot) - centre_;
   const double half = a_.tree.half_diagonal(slot);
   const Course& course = planned_.ahead;
@@ -40,10 +40,10 @@ bool NeighbourList::is_in_plan(const Pair& pair, const BlockBound& due,
 /// Candidate pairs of triangles, compared eight at a time.
 struct NeighbourList::Candidates {
   TriangleBatch batch;
-  double rounding;                    // m
-  std::array<Way, block> way{};       // of the boxes that hold the triangles of A
-  std::array<double, block> reach{};  // m: a pair further away cannot be added
-  bool fit = true;                    // all pairs found so far fit
+  double rounding;                        // m
+  std::array<BoxMotion, block> motion{};  // of the boxes that hold the triangles of A
+  std::array<double, block> reach{};      // m: a pair further away cannot be added
+  bool fit = true;                        // all pairs found so far fit
 };
 
 void NeighbourList::start(const Transform& X, const Vec3& centre) noexcept {
@@ -55,16 +55,16 @@ void NeighbourList::start(const Transform& X, const Vec3& centre) noexcept {
   longest_arm_ = ((centre - a_.mass.com).norm() + a_.mass.radius) * (1 + 1e-12);
 }
 
-void NeighbourList::take(Candidates& of) noexcept {
+void NeighbourList::append_covered(Candidates& of) noexcept {
   const double widest = *std::max_element(of.reach.begin(), of.reach.end());
   of.batch.flush(widest + 2 * of.rounding, [&](const TriangleBatch::Pair& pair, int lane,
                                                const ClosestPoints8& points) {
     const double distance = points.distance[lane] * (1 - 1e-12) - of.rounding;
-    const auto& [arm, way, spread] = of.way[static_cast<std::size_t>(lane)];
+    const auto& [arm, shift, spread] = of.motion[static_cast<std::size_t>(lane)];
     if (distance > of.reach[static_cast<std::size_t>(lane)] || !of.fit) return;
     const Vec3 direction = points.distance[lane] > 0 ? normal(points, lane) : Vec3::Zero();
     const double gap = points.gap[lane] * (1 - 1e-12) - of.rounding;
-    const double closing = std::max(0.0, -direction.dot(way)) + spread;
+    const double closing = std::max(0.0, -direction.dot(shift)) + spread;
     if (std::min(distance, gap - closing) > planned_.around.of(arm)) return;
     const Pair of_lane{pair.i, pair.j};
     if (count_ == capacity_ && !fallback_only_) {
@@ -94,7 +94,7 @@ bool NeighbourList::build_by(const BuildPlan& plan, const Transform& X, const Ve
   start(X, centre);
   plan_ = plan;
   // The initial search also covers the fallback.
-  Displacement& around = plan_.wanted.around;
+  DisplacementBound& around = plan_.wanted.around;
   around = {std::max(around.linear, plan.fallback.around.linear),
             std::max(around.turn, plan.fallback.around.turn)};
   planned_ = plan_.wanted;
@@ -111,41 +111,41 @@ bool NeighbourList::build_by(const BuildPlan& plan, const Transform& X, const Ve
 bool NeighbourList::go_on(Effort& effort) noexcept {
   Placement at(a_, b_, X_);
   SlotPairs found;
-  Recent<Way> ways;
+  Recent<BoxMotion> motions;
   Candidates candidates{{a_, b_, X_}, guard(X_)};
   const auto spend = [&](int work) { return work_of_build_ += work, effort.spend(work); };
   // Pairs found below a pair use the arm of its box of A, which is longer than theirs.
-  const auto sort_out = [&](const SlotPair& p, const Way& way) {
+  const auto sort_out = [&](const SlotPair& p, const BoxMotion& motion) {
     if (!at.is_leaf(p)) return to_visit_.front().push(p);
     spend(work_to_take);
     const auto lane = static_cast<std::size_t>(candidates.batch.size());
-    candidates.way[lane] = way;
-    candidates.reach[lane] = planned_.around.of(way.arm) + way.way.norm() + way.spread;
+    candidates.motion[lane] = motion;
+    candidates.reach[lane] = planned_.around.of(motion.arm) + motion.shift.norm() + motion.spread;
     candidates.batch.add(at.triangle_a(p), at.triangle_b(p));
-    if (candidates.batch.full()) take(candidates);
+    if (candidates.batch.full()) append_covered(candidates);
   };
   unfinished_ = false;
   while (candidates.fit && !unfinished_ && !to_visit_.front().empty()) {
     const SlotPair p = to_visit_.front().pop();
-    const Way way = ways.at(p.a, [&](std::uint32_t slot) { return way_of(slot); });
-    const float limit = at.to_unit_rounded_up(planned_.around.of(way.arm)),
-                spread = at.to_unit_rounded_up(way.spread);
+    const BoxMotion motion = motions.at(p.a, [&](std::uint32_t slot) { return box_motion(slot); });
+    const float limit = at.to_unit_rounded_up(planned_.around.of(motion.arm)),
+                spread = at.to_unit_rounded_up(motion.spread);
     if (p.bound > limit) continue;
     if (at.is_leaf(p)) {  // only if the roots are leaves
-      sort_out(p, way);
+      sort_out(p, motion);
       continue;
     }
     // All points in the box of A follow its displacement to within the spread.
-    at.open_on_way(p, way.way, limit + spread, found);
-    for (SlotPair& child : found) child.bound -= spread, sort_out(child, way);
+    at.open_shifted(p, motion.shift, limit + spread, found);
+    for (SlotPair& child : found) child.bound -= spread, sort_out(child, motion);
     unfinished_ = !spend(work_to_open(found.count));
     if (work_of_build_ > plan_.most_work && !fallback_only_) {
-      take(candidates);
+      append_covered(candidates);
       fall_back();
-      ways = {};
+      motions = {};
     }
   }
-  take(candidates);
+  append_covered(candidates);
   if (!candidates.fit) return clear(), false;
   if (unfinished_) return false;
   fill_last();

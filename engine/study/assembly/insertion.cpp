@@ -34,7 +34,7 @@ struct Place {
   std::size_t pose;
   double part;
 };
-Place place_of(const InsertionWay& way, double travel) {
+Place place_of(const InsertionPath& way, double travel) {
   const auto after = std::ranges::upper_bound(way.travel, travel);
   const auto last = std::ssize(way.travel) - 1;
   const auto i = static_cast<std::size_t>(
@@ -44,7 +44,7 @@ Place place_of(const InsertionWay& way, double travel) {
 }
 
 /// The rows of the table: at even steps, and ever closer ones about the first contact.
-std::vector<double> rows_of(const InsertionWay& way, std::size_t steps,
+std::vector<double> rows_of(const InsertionPath& way, std::size_t steps,
                             const std::optional<FirstContact>& first) {
   const double all = way.travel.back(), step = all / static_cast<double>(steps);
   std::vector<double> out;
@@ -62,8 +62,8 @@ std::vector<double> rows_of(const InsertionWay& way, std::size_t steps,
 
 }  // namespace
 
-InsertionWay way_along(const Pair& pair, const Pose& start, const Vec3& axis, double travel,
-                       double twist) {
+InsertionPath way_along(const Pair& pair, const Pose& start, const Vec3& axis, double travel,
+                        double twist) {
   if (!axis.allFinite() || !std::isfinite(travel) || !std::isfinite(twist))
     throw refused("a number is not finite");
   const Vec3 unit = axis.stableNormalized();
@@ -72,7 +72,7 @@ InsertionWay way_along(const Pair& pair, const Pose& start, const Vec3& axis, do
   if (std::abs(twist) > most_twist) throw refused("the twist is beyond a million radians");
   const auto pieces =
       static_cast<std::size_t>(std::max(1.0, std::ceil(std::abs(twist) / largest_turn)));
-  InsertionWay out;
+  InsertionPath out;
   for (std::size_t i = 0; i <= pieces; ++i) {
     const double part = static_cast<double>(i) / static_cast<double>(pieces);
     const Quat q = (rotation_about(unit, part * twist) * start.q).normalized();
@@ -83,9 +83,9 @@ InsertionWay way_along(const Pair& pair, const Pose& start, const Vec3& axis, do
   return out;
 }
 
-InsertionWay way_through(const Pair& pair, const std::vector<Pose>& poses) {
+InsertionPath way_through(const Pair& pair, const std::vector<Pose>& poses) {
   if (poses.size() < 2) throw refused("holds less than two poses");
-  InsertionWay out{poses, {0}};
+  InsertionPath out{poses, {0}};
   for (std::size_t i = 1; i < poses.size(); ++i)
     out.travel.push_back(out.travel.back() +
                          (com_at(pair, poses[i]) - com_at(pair, poses[i - 1])).norm());
@@ -93,14 +93,14 @@ InsertionWay way_through(const Pair& pair, const std::vector<Pose>& poses) {
   return out;
 }
 
-Pose pose_at(const InsertionWay& way, const Pair& pair, double travel) {
+Pose pose_at(const InsertionPath& way, const Pair& pair, double travel) {
   const auto [i, part] = place_of(way, travel);
   if (part <= 0) return way.poses[i];
   if (part >= 1) return way.poses[i + 1];
   return Motion(pair.probe().mass, way.poses[i], way.poses[i + 1]).pose_at(part);
 }
 
-std::optional<FirstContact> first_contact(const Pair& pair, const InsertionWay& way) {
+std::optional<FirstContact> first_contact(const Pair& pair, const InsertionPath& way) {
   for (std::size_t i = 0; i + 1 < way.poses.size(); ++i) {
     const SweptPath path = sweep(pair, way.poses[i], way.poses[i + 1]);
     if (path.overlapping && i == 0)
@@ -112,7 +112,7 @@ std::optional<FirstContact> first_contact(const Pair& pair, const InsertionWay& 
   return std::nullopt;
 }
 
-Insertion insertion(const Pair& pair, const InsertionWay& way, std::size_t steps,
+Insertion insertion(const Pair& pair, const InsertionPath& way, std::size_t steps,
                     const Coupling& coupling, const Progress& progress) {
   Insertion out;
   out.first = first_contact(pair, way);

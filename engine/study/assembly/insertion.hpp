@@ -13,7 +13,7 @@ namespace sonde {
 
 /// The path on which a part is inserted: poses X_FM with the travel at each. Between two poses, the
 /// centre of mass moves on a straight line, and the turn is about one axis.
-struct InsertionWay {
+struct InsertionPath {
   std::vector<Pose> poses;
   std::vector<double> travel;  ///< m: path length of the centre of mass, from 0
 };
@@ -22,14 +22,14 @@ struct InsertionWay {
 /// turn about the axis through the centre of mass by `twist` (rad). Throws InputError if the axis
 /// has no length, the travel is not positive, a number is not finite, or the twist is beyond a
 /// million radians.
-InsertionWay way_along(const Pair& pair, const Pose& start, const Vec3& axis, double travel,
-                       double twist);
+InsertionPath way_along(const Pair& pair, const Pose& start, const Vec3& axis, double travel,
+                        double twist);
 /// A path through the given poses. Throws InputError if there are fewer than two, or the path has
 /// no length.
-InsertionWay way_through(const Pair& pair, const std::vector<Pose>& poses);
+InsertionPath way_through(const Pair& pair, const std::vector<Pose>& poses);
 
 /// The pose of a path at this travel, m.
-Pose pose_at(const InsertionWay& way, const Pair& pair, double travel);
+Pose pose_at(const InsertionPath& way, const Pair& pair, double travel);
 
 /// The first point at which a path is blocked.
 struct FirstContact {
@@ -39,7 +39,7 @@ struct FirstContact {
 };
 /// Uses sweeps, which skip nothing; the accuracy is that of SweptPath::free. None if the whole path
 /// is free. Throws InputError if the bodies touch or overlap at the start.
-std::optional<FirstContact> first_contact(const Pair& pair, const InsertionWay& way);
+std::optional<FirstContact> first_contact(const Pair& pair, const InsertionPath& way);
 
 /// The probe at one point of the path.
 struct InsertionStep {
@@ -59,7 +59,7 @@ struct Insertion {
 /// Follows the probe along a path in `steps` steps, and more about the first contact: the interval
 /// in which the contact begins is halved until it is 1e-3 of a step. Throws InputError as
 /// first_contact does, and Cancelled.
-Insertion insertion(const Pair& pair, const InsertionWay& way, std::size_t steps,
+Insertion insertion(const Pair& pair, const InsertionPath& way, std::size_t steps,
                     const Coupling& coupling, const Progress& progress = {});
 
 }  // namespace sonde

@@ -48,9 +48,9 @@ std::optional<Vec3> square_to(const Vec3& axis, const Vec3& direction) {
   return square.normalized();
 }
 
-InsertionWay moved(const InsertionWay& way, const Pair& pair, const InsertionMap& map,
-                   double offset, double tilt) {
-  InsertionWay out = way;
+InsertionPath moved(const InsertionPath& way, const Pair& pair, const InsertionMap& map,
+                    double offset, double tilt) {
+  InsertionPath out = way;
   const Quat turn = rotation_about(map.axis.cross(map.lateral), tilt);
   const Vec3& com = pair.probe().mass.com;
   for (Pose& X : out.poses) {
@@ -61,14 +61,15 @@ InsertionWay moved(const InsertionWay& way, const Pair& pair, const InsertionMap
   return out;
 }
 
-double free_travel(const Pair& pair, const InsertionWay& way) {
+double free_travel(const Pair& pair, const InsertionPath& way) {
   if (touch(pair, way.poses.front())) return -1;
   const auto first = first_contact(pair, way);
   return first ? first->travel : way.travel.back();
 }
 
-std::vector<double> free_travels(const Pair& pair, const InsertionWay& way, const InsertionMap& map,
-                                 unsigned threads, const Progress& progress) {
+std::vector<double> free_travels(const Pair& pair, const InsertionPath& way,
+                                 const InsertionMap& map, unsigned threads,
+                                 const Progress& progress) {
   check(map);
   std::vector<double> out(map.offsets * map.tilts);
   std::size_t done = 0;

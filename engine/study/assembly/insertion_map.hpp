@@ -31,15 +31,16 @@ Vec3 lateral_to(const Vec3& axis);
 std::optional<Vec3> square_to(const Vec3& axis, const Vec3& direction);
 
 /// A way moved aside and tilted about the centre of mass where it begins.
-InsertionWay moved(const InsertionWay& way, const Pair& pair, const InsertionMap& map,
-                   double offset, double tilt);
+InsertionPath moved(const InsertionPath& way, const Pair& pair, const InsertionMap& map,
+                    double offset, double tilt);
 
 /// m: travel that is free; negative if the path begins in an overlap.
-double free_travel(const Pair& pair, const InsertionWay& way);
+double free_travel(const Pair& pair, const InsertionPath& way);
 
 /// The free travel at every point of a map, m, row by row for each offset. Throws InputError if a
 /// range is not finite or negative, or there are no points; and Cancelled.
-std::vector<double> free_travels(const Pair& pair, const InsertionWay& way, const InsertionMap& map,
-                                 unsigned threads, const Progress& progress = {});
+std::vector<double> free_travels(const Pair& pair, const InsertionPath& way,
+                                 const InsertionMap& map, unsigned threads,
+                                 const Progress& progress = {});
 
 }  // namespace sonde

@@ -14,7 +14,7 @@ namespace sonde {
 /// The input of a study of an insertion.
 struct InsertionRequest {
   Pair pair;
-  InsertionWay way;
+  InsertionPath way;
   std::size_t steps = 200;
   Coupling coupling;
   double wanted = 0;                ///< m of travel that count as inserted

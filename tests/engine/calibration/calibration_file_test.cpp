@@ -39,7 +39,7 @@ TEST(CalibrationFile, reads_back_what_was_written) {
     EXPECT_EQ(got.series[i].family, want.series[i].family);
     EXPECT_EQ(got.series[i].answers, want.series[i].answers);
     EXPECT_EQ(got.series[i].method, want.series[i].method);
-    EXPECT_EQ(got.series[i].sketched, want.series[i].sketched);
+    EXPECT_EQ(got.series[i].has_sketches, want.series[i].has_sketches);
     ASSERT_EQ(got.series[i].points.size(), want.series[i].points.size());
     for (std::size_t k = 0; k < want.series[i].points.size(); ++k) {
       EXPECT_EQ(got.series[i].points[k].time_us, want.series[i].points[k].time_us);

@@ -186,14 +186,14 @@ struct Kind {
   const char* name;
   Answers answers;
   Method method;
-  bool sketched;
+  bool has_sketches;
 };
 
 class DefaultCalibration : public testing::TestWithParam<Kind> {
  protected:
   static bool is_of_kind(const CalibrationSeries& series) {
     return series.answers == GetParam().answers && series.method == GetParam().method &&
-           series.sketched == GetParam().sketched;
+           series.has_sketches == GetParam().has_sketches;
   }
 };
 
@@ -207,7 +207,7 @@ TEST_P(DefaultCalibration, nine_in_ten_claims_hold_on_families_that_the_fit_did_
     if (!is_of_kind(series)) continue;
     pairs.insert(series.pair);
     const AccuracyCurve curve(without(family(series)), series.answers, series.method,
-                              series.sketched);
+                              series.has_sketches);
     for (const CalibrationPoint& point : series.points) {
       const auto count = [&](const std::vector<double>& errors, bool far_out) {
         // What the reference itself repeats to, some 1e-4, is nothing to hold a claim to.

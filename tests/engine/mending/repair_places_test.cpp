@@ -16,7 +16,7 @@ namespace {
 std::vector<RepairPlace> places_of(const PolygonSoup& mesh, Model asked = Model::automatic) {
   const Soup soup = compacted(triangulate_all(mesh));
   Mended mended = mend(soup, analyse_topology(soup), asked, "a.off");
-  settle(mended.places);
+  sort_and_cap(mended.places);
   EXPECT_EQ(mended.places.all, mended.places.places.size());
   return mended.places.places;
 }
@@ -116,7 +116,7 @@ TEST(RepairPlaces, of_very_many_the_largest_stay_and_all_are_counted) {
   for (int i = 0; i < 20'000; ++i)
     many.places.push_back(
         {i % 40 == 0 ? RepairKind::cap : RepairKind::seam, Vec3(i, 0, 0), double(i), Vec3::Zero()});
-  settle(many);
+  sort_and_cap(many);
   EXPECT_EQ(many.all, 20'000u);
   ASSERT_EQ(many.places.size(), RepairPlaces::most);
   for (std::size_t i = 0; i < 500; ++i) EXPECT_EQ(many.places[i].kind, RepairKind::cap);

@@ -18,7 +18,7 @@ Curves curves_of_ticks(const std::vector<Snapshot>& ticks, std::uint64_t most = 
 TEST(Curves, hold_what_the_ticks_say) {
   const std::vector<Snapshot> ticks = made_up_ticks(300);
   BackgroundResult search = made_up_search(1);
-  search.nearest = FoundWay{0.25, {}};
+  search.nearest = FoundSeparation{0.25, {}};
   search.lower_bound = 0.125;
   Curves curves;
   for (const Snapshot& tick : ticks)
@@ -43,7 +43,7 @@ TEST(Curves, a_way_that_was_followed_counts_where_the_search_found_none_as_near)
   tick.separation.depth = 0.507e-3;
   BackgroundResult search = made_up_search(1);
   search.device = tick.separation.device;
-  search.nearest = FoundWay{0.53e-3, {}};
+  search.nearest = FoundSeparation{0.53e-3, {}};
   Curves curves;
   curves.add(tick, 0, &search);
   EXPECT_NEAR(curves.at(Curve::nearest, 0), 0.507e-3, 1e-10);

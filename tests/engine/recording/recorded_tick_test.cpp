@@ -112,9 +112,9 @@ TEST(RecordedTick, searches_come_back_to_the_bit) {
   std::vector<RecordedSearch> written(3);
   written[0].time = 1.5;
   written[0].result.device.p = Vec3(1, 2, 1.0 / 3);
-  written[1].result.nearest = FoundWay{0.1, {Quat(0.6, 0.8, 0, 0), Vec3(4, 5, 6)}};
+  written[1].result.nearest = FoundSeparation{0.1, {Quat(0.6, 0.8, 0, 0), Vec3(4, 5, 6)}};
   written[1].result.lower_bound = 0.05;
-  written[2].result.pdt = FoundWay{0, {Quat(0, 0, 0, 1), Vec3(7, 8, 9)}};
+  written[2].result.pdt = FoundSeparation{0, {Quat(0, 0, 0, 1), Vec3(7, 8, 9)}};
   written[2].result.time_us = 123;
   const std::vector<RecordedSearch> read = searches_in(search_content(written));
   ASSERT_EQ(read.size(), 3u);

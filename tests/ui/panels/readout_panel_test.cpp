@@ -79,8 +79,8 @@ TEST_F(ReadoutPanelTest, ways_out_are_compared_with_the_nearest) {
   const Pose hand = snapshot.separation.device;
   snapshot.separation.depth = 0.004;
   const BackgroundResult found{.device = hand,
-                               .nearest = FoundWay{.depth = 0.004, .separated = hand},
-                               .pdt = FoundWay{.depth = 0.006, .separated = hand},
+                               .nearest = FoundSeparation{.depth = 0.004, .separated = hand},
+                               .pdt = FoundSeparation{.depth = 0.006, .separated = hand},
                                .lower_bound = 0.003};
   panel->show_numbers({snapshot, found});
   EXPECT_EQ(text("nearest_value"), "4.000 mm");
@@ -98,8 +98,8 @@ TEST_F(ReadoutPanelTest, a_probe_that_is_free_beyond_a_wall_is_not_shown_as_a_de
   snapshot.separation.depth = 0.0118;
   const Pose hand = snapshot.separation.device;
   BackgroundResult free{.device = hand,
-                        .nearest = FoundWay{.depth = 0, .separated = hand},
-                        .pdt = FoundWay{.depth = 0, .separated = hand},
+                        .nearest = FoundSeparation{.depth = 0, .separated = hand},
+                        .pdt = FoundSeparation{.depth = 0, .separated = hand},
                         .lower_bound = 0.0};
   panel->show_numbers({snapshot, free});
   EXPECT_EQ(text("nearest_value"), "free at the hand");

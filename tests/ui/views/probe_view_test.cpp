@@ -63,12 +63,12 @@ TEST_F(ProbeViewTest, a_way_out_stands_where_it_was_found_with_its_depth) {
   view.show(stage.frame());
   EXPECT_TRUE(stage.seen().empty()) << "it was not searched yet";
   BackgroundResult found{.device = {}, .nearest = {}, .pdt = {}, .lower_bound = {}};
-  found.pdt = FoundWay{.depth = 1, .separated = {}};
+  found.pdt = FoundSeparation{.depth = 1, .separated = {}};
   Frame frame = stage.frame();
   frame.searched = &found;
   view.show(frame);
   EXPECT_TRUE(stage.seen().empty()) << "the other one was found";
-  found.nearest = FoundWay{.depth = 0.0075, .separated = {Quat::Identity(), {0, 0.3, 0}}};
+  found.nearest = FoundSeparation{.depth = 0.0075, .separated = {Quat::Identity(), {0, 0.3, 0}}};
   view.show(frame);
   EXPECT_NEAR((middle() - Vec3(0, 0.3, 0)).norm(), 0, 1e-6);
   EXPECT_EQ(texts_of(view), QStringList{"nearest, 7.500 mm"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ContactRows::cut: what of a step is in the way, by a list and by the trees.
+// ContactRows::add_cuts: what of a step is in the way, by a list and by the trees.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -58,7 +58,7 @@ TEST(ContactRows, a_cut_says_clear_where_nothing_is_in_the_way) {
       OverAPlate over(gap, 0.5 * gap, finding);
       for (const Vec3& by : {Vec3(0, 0, 1e-5), Vec3(1e-4, -1e-4, 0), Vec3(1e-4, 0, -0.04 * gap)}) {
         const ContactRows::PathCheck look =
-            over.rows.cut(over.chart, over.y, over.moved(by), 0.9 * gap, unlimited);
+            over.rows.add_cuts(over.chart, over.y, over.moved(by), 0.9 * gap, unlimited);
         EXPECT_TRUE(look.clear) << gap;
         EXPECT_FALSE(look.news) << gap;
         EXPECT_EQ(look.lost, 0) << gap;
@@ -78,7 +78,7 @@ TEST(ContactRows, what_a_cut_loses_to_a_plane) {
         OverAPlate over(gap, 0.5 * gap, finding);
         const double sunk = share * gap, held = std::min(gap, margin);
         const ContactRows::PathCheck look =
-            over.rows.cut(over.chart, over.y, over.moved({0, 0, -sunk}), margin, unlimited);
+            over.rows.add_cuts(over.chart, over.y, over.moved({0, 0, -sunk}), margin, unlimited);
         const bool in_the_way = gap - sunk < 0.95 * held;
         EXPECT_EQ(look.clear, !in_the_way) << gap << " " << share;
         EXPECT_EQ(look.news, in_the_way) << gap << " " << share;
@@ -96,18 +96,20 @@ TEST(ContactRows, a_cut_adds_rows_of_what_is_in_the_way) {
     ASSERT_EQ(over.rows.size(), 0);
     EXPECT_EQ(over.rows.solve(margin, ContactRows::SmallGaps::keep).y.norm(), 0);
     const Motion down = over.moved({0, 0, -0.001});
-    EXPECT_TRUE(over.rows.cut(over.chart, over.y, down, margin, unlimited).news);
+    EXPECT_TRUE(over.rows.add_cuts(over.chart, over.y, down, margin, unlimited).news);
     EXPECT_TRUE(over.has_corners_of_the_cube());
     const LeastDistance nearest = over.rows.solve(margin, ContactRows::SmallGaps::keep);
     EXPECT_NEAR(nearest.y.norm(), 0.02 + margin, 0.1 * margin);
     EXPECT_NEAR(nearest.y[5], 0.02 + margin, 0.1 * margin);
     // It is still in the way, and no news.
-    const ContactRows::PathCheck again = over.rows.cut(over.chart, over.y, down, margin, unlimited);
+    const ContactRows::PathCheck again =
+        over.rows.add_cuts(over.chart, over.y, down, margin, unlimited);
     EXPECT_FALSE(again.clear);
     EXPECT_FALSE(again.news);
     // The way to the least point is clear.
     EXPECT_TRUE(
-        over.rows.cut(over.chart, over.y, {over.chart, over.y, nearest.y}, 0.5 * margin, unlimited)
+        over.rows
+            .add_cuts(over.chart, over.y, {over.chart, over.y, nearest.y}, 0.5 * margin, unlimited)
             .clear);
   }
 }
@@ -116,7 +118,7 @@ TEST(ContactRows, what_cut_a_step_short_is_looked_at_again) {
   Effort unlimited;
   constexpr double gap = 1e-4;
   OverAPlate over(gap, 0.5 * gap, {.most_pairs = 2});
-  over.rows.cut(over.chart, over.y, over.moved({0, 0, -0.001}), 1e-6, unlimited);
+  over.rows.add_cuts(over.chart, over.y, over.moved({0, 0, -0.001}), 1e-6, unlimited);
   ASSERT_TRUE(over.has_corners_of_the_cube());
   over.rows.gather(over.chart, over.y, 2 * gap, 4 * gap);
   EXPECT_TRUE(over.has_corners_of_the_cube());
@@ -158,7 +160,8 @@ TEST(ContactRows, when_there_is_no_room_for_a_row_the_look_is_not_clear) {
     Vec6 to = y;
     to.tail<3>() = 0.0955 * test::random_in_ball(random, 1).normalized();
     const bool was_full = rows.is_full();
-    const ContactRows::PathCheck look = rows.cut(chart, y, Motion(chart, y, to), 1e-3, unlimited);
+    const ContactRows::PathCheck look =
+        rows.add_cuts(chart, y, Motion(chart, y, to), 1e-3, unlimited);
     EXPECT_EQ(look.clear, look.lost == 0);
     EXPECT_FALSE(look.news && was_full);
     unseen += was_full && !look.clear;

@@ -220,7 +220,7 @@ TEST(ContactRows, a_cut_agrees_with_all_pairs) {
         if (near > 16 || in_doubt > 0) continue;  // there is room for 16
         Effort unlimited;
         const int before = rows.size();
-        const ContactRows::PathCheck look = rows.cut(g.chart, g.y, motion, margin, unlimited);
+        const ContactRows::PathCheck look = rows.add_cuts(g.chart, g.y, motion, margin, unlimited);
         EXPECT_EQ(look.clear, in_the_way == 0) << pair.name << i;
         EXPECT_EQ(look.news, rows.size() > before) << pair.name << i;
         EXPECT_GE(look.lost, lost - rounding) << pair.name << i;

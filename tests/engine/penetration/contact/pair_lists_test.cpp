@@ -42,7 +42,7 @@ Outcome slide(const Sliding& scene, std::int64_t work, double wanted, double wil
   for (int tick = 0; tick < 180; ++tick) {
     Effort effort(work, 0);
     const Transform X = scene.at(tick);
-    const auto path = [&] { return Path{lists.recent_course(X, centre), {}}; };
+    const auto path = [&] { return LinearizedMotion{lists.recent_course(X, centre), {}}; };
     if (lists.serving().reach_at(X) < will_do)
       lists.renew(X, {wanted, 2 * will_do, will_do, centre, path()}, effort);
     NeighbourList& list = lists.serving();

@@ -31,36 +31,37 @@ class EvidenceTest : public ::testing::Test {
 };
 
 TEST_F(EvidenceTest, nothing_is_settled_before_anything_was_found) {
-  EXPECT_FALSE(evidence({}).settles());
+  EXPECT_FALSE(evidence({}).is_conclusive());
   EXPECT_FALSE(evidence({}).sketches_see());
 }
 
 TEST_F(EvidenceTest, as_many_starts_as_asked_settle_it_without_sketches) {
   find(depth, 3);
-  EXPECT_FALSE(evidence({.agreement = 4, .by_sketches = false}).settles());
+  EXPECT_FALSE(evidence({.agreement = 4, .by_sketches = false}).is_conclusive());
   find(depth, 1);
-  EXPECT_TRUE(evidence({.agreement = 4, .by_sketches = false}).settles());
+  EXPECT_TRUE(evidence({.agreement = 4, .by_sketches = false}).is_conclusive());
   find(depth / 2, 1);
-  EXPECT_FALSE(evidence({.agreement = 4, .by_sketches = false}).settles()) << "a better one is new";
+  EXPECT_FALSE(evidence({.agreement = 4, .by_sketches = false}).is_conclusive())
+      << "a better one is new";
 }
 
 TEST_F(EvidenceTest, sketches_settle_it_where_the_bodies_came_to_the_same_place) {
   ASSERT_TRUE(sketches_.is_clear(search_tuning.clear));
   find(depth, 1);
   EXPECT_TRUE(evidence({}).sketches_see());
-  EXPECT_FALSE(evidence({}).settles()) << "no descent of the bodies began there";
+  EXPECT_FALSE(evidence({}).is_conclusive()) << "no descent of the bodies began there";
   first_end().came_to = depth;
-  EXPECT_TRUE(evidence({}).settles());
-  EXPECT_FALSE(evidence({.agreement = 1000, .by_sketches = false}).settles());
+  EXPECT_TRUE(evidence({}).is_conclusive());
+  EXPECT_FALSE(evidence({.agreement = 1000, .by_sketches = false}).is_conclusive());
   first_end().came_to = 2 * depth;
-  EXPECT_FALSE(evidence({}).settles()) << "it ended elsewhere";
+  EXPECT_FALSE(evidence({}).is_conclusive()) << "it ended elsewhere";
 }
 
 TEST_F(EvidenceTest, sketches_that_miss_what_holds_the_bodies_are_none) {
   find(2 * search_tuning.blind * depth, 1);
   first_end().came_to = 2 * search_tuning.blind * depth;
   EXPECT_FALSE(evidence({}).sketches_see());
-  EXPECT_FALSE(evidence({}).settles());
+  EXPECT_FALSE(evidence({}).is_conclusive());
 }
 
 // The middle of the lower face of the small box lies 0.13 m deep in the large one, 0.07 m its upper

@@ -13,7 +13,7 @@
 #include "engine/haptics/coupling/coupling.hpp"
 #include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "engine/penetration/search/coherent.hpp"
-#include "engine/penetration/search/far_apart.hpp"
+#include "engine/penetration/search/free_region.hpp"
 #include "tests/engine/penetration/ways_down.hpp"
 #include "tests/support/joints.hpp"
 #include "tests/support/shapes.hpp"

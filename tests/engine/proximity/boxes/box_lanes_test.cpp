@@ -47,7 +47,7 @@ Boxes random_boxes(std::mt19937_64& random) {
     out.one.center[i] = static_cast<float>(uniform(random, -1, 1)) - out.one.origin[i];
     out.one.half[i] = side(random);
     out.one.direction[i] = static_cast<float>(n[i]);
-    out.one.way[i] = static_cast<float>(uniform(random, -0.5, 0.5));
+    out.one.shift[i] = static_cast<float>(uniform(random, -0.5, 0.5));
     for (int a = 0; a < 3; ++a) out.one.axis[a][i] = static_cast<float>(R(i, a));
   }
   return out;
@@ -109,28 +109,28 @@ TEST(BoxLanes, no_two_points_are_nearer_than_the_bound) {
   EXPECT_GT(separated, 1000);
 }
 
-// Reference: points of the boxes, in double precision, anywhere on the way.
-TEST(BoxLanes, no_two_points_come_nearer_on_the_way_than_the_bound) {
+// Reference: points of the boxes, in double precision, anywhere along the shift.
+TEST(BoxLanes, no_two_points_come_nearer_along_the_shift_than_the_bound) {
   std::mt19937_64 random(5);
   int separated = 0, as_far = 0;
   for (int i = 0; i < 300; ++i) {
     Boxes boxes = random_boxes(random);
-    const Vec3 way(boxes.one.way[0], boxes.one.way[1], boxes.one.way[2]);
-    Lanes on_way, standing;
-    box_kernels().gaps_on_way(boxes.one, boxes.node, 1, on_way);
+    const Vec3 shift(boxes.one.shift[0], boxes.one.shift[1], boxes.one.shift[2]);
+    Lanes shifted, standing;
+    box_kernels().gaps_shifted(boxes.one, boxes.node, 1, shifted);
     box_kernels().gaps(boxes.one, boxes.node, 1, standing);
     for (std::uint32_t k = 0; k < Tree::width; ++k) {
       double nearest = 1e30;
       for (int p = 0; p < 200; ++p)
-        nearest =
-            std::min(nearest, (point_of(boxes.one, anywhere(random)) + uniform(random, 0, 1) * way -
-                               point_of(boxes.node, k, anywhere(random)))
-                                  .norm());
-      EXPECT_LE(on_way.value[k], nearest);
-      EXPECT_LE(on_way.value[k], standing.value[k]);
-      separated += on_way.value[k] > 0;
+        nearest = std::min(nearest,
+                           (point_of(boxes.one, anywhere(random)) + uniform(random, 0, 1) * shift -
+                            point_of(boxes.node, k, anywhere(random)))
+                               .norm());
+      EXPECT_LE(shifted.value[k], nearest);
+      EXPECT_LE(shifted.value[k], standing.value[k]);
+      separated += shifted.value[k] > 0;
       // What leads away or along takes nothing off but rounding.
-      as_far += on_way.value[k] > 0 && standing.value[k] - on_way.value[k] < 1e-4f;
+      as_far += shifted.value[k] > 0 && standing.value[k] - shifted.value[k] < 1e-4f;
     }
   }
   EXPECT_GT(separated, 1000);
@@ -239,7 +239,7 @@ TEST(BoxLanes, every_instruction_set_gives_the_same_bits) {
       box.ray_gaps(ray, boxes.node, 0.5f, out[3]);
       sweep.box_moves(boxes.one, velocity, path, boxes.node, 0.5f, out[4]);
       sweep.node_moves(boxes.one, velocity, path, boxes.node, 0.5f, out[5]);
-      box.gaps_on_way(boxes.one, boxes.node, 0.5f, out[6]);
+      box.gaps_shifted(boxes.one, boxes.node, 0.5f, out[6]);
     };
     fill(all_box_kernels()[0], all_sweep_kernels()[0], expected);
     for (std::size_t set = 1; set < all_box_kernels().size(); ++set) {

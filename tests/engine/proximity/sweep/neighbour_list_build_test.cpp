@@ -41,10 +41,10 @@ TEST(NeighbourList, one_that_shrinks_on_the_way_misses_nothing_within_the_least)
       const Pose pose = test::random_pose(random, *pair.a, *pair.b, 0.7);
       const Transform X(pose);
       const Vec3 centre = pair.a->mass.com + test::random_in_ball(random, radius);
-      const Displacement ample{test::uniform(random, 0.05, 0.2) * radius,
-                               test::uniform(random, 0, 0.1)};
+      const DisplacementBound ample{test::uniform(random, 0.05, 0.2) * radius,
+                                    test::uniform(random, 0, 0.1)};
       const double part = test::uniform(random, 0.1, 0.9);
-      const Displacement least{part * ample.linear, part * ample.turn};
+      const DisplacementBound least{part * ample.linear, part * ample.turn};
       NeighbourList large(*pair.a, *pair.b), small(*pair.a, *pair.b);
       ASSERT_TRUE(large.build(X, centre, ample, unlimited)) << pair.name;
       ASSERT_TRUE(small.build(X, centre, least, unlimited)) << pair.name;
@@ -103,7 +103,7 @@ TEST(NeighbourList, for_a_course_it_misses_nothing_on_it_or_beside_it) {
       const double size = test::uniform(random, 0.02, 0.2);
       const Course course{test::random_in_ball(random, size * radius),
                           test::random_in_ball(random, size)};
-      const Displacement around{0.2 * size * radius, 0.2 * size};
+      const DisplacementBound around{0.2 * size * radius, 0.2 * size};
       const double part = test::uniform(random, 0.3, 1);
       const NeighbourList::Coverage ample{around, course};
       const NeighbourList::Coverage least{{part * around.linear, part * around.turn},
@@ -113,8 +113,8 @@ TEST(NeighbourList, for_a_course_it_misses_nothing_on_it_or_beside_it) {
       if (i % 2 == 0) plan.most_work = 300;
       ASSERT_TRUE(list.build_by(plan, X, centre, unlimited)) << pair.name;
       if (!list.used_fallback()) {
-        const Displacement length{course.size().linear + around.linear,
-                                  course.size().turn + around.turn};
+        const DisplacementBound length{course.size().linear + around.linear,
+                                       course.size().turn + around.turn};
         ASSERT_TRUE(all_ways.build(X, centre, length, unlimited)) << pair.name;
         EXPECT_LE(list.size(), all_ways.size());
         held += list.size(), held_of_all_ways += all_ways.size();

@@ -161,8 +161,8 @@ TEST(NeighbourList, laid_out_for_turns_about_a_corner_it_misses_nothing) {
                                                    static_cast<double>(a.soup.vertices.size()));
       const Vec3 centre = a.soup.vertices[corner];
       const double size = std::pow(10, test::uniform(random, -3, -0.3));
-      const Displacement room{size * radius * test::uniform(random, 0.01, 1),
-                              size * test::uniform(random, 0.3, 1)};
+      const DisplacementBound room{size * radius * test::uniform(random, 0.01, 1),
+                                   size * test::uniform(random, 0.3, 1)};
       NeighbourList list(a, b);
       if (!list.build(Transform(start), centre, room, unlimited)) continue;
       Pose at = start;

@@ -14,7 +14,8 @@ namespace {
 /// A cube of 0.1 m over another, 20 mm above it; it is to go down by 50 mm.
 struct CubeOverCube {
   Pair pair{test::body(test::box({0.1, 0.1, 0.1})), test::body(test::box({0.1, 0.1, 0.1}))};
-  InsertionWay way = way_along(pair, {Quat::Identity(), Vec3(0, 0, 0.12)}, -Vec3::UnitZ(), 0.05, 0);
+  InsertionPath way =
+      way_along(pair, {Quat::Identity(), Vec3(0, 0, 0.12)}, -Vec3::UnitZ(), 0.05, 0);
   InsertionMap map{.axis = -Vec3::UnitZ(),
                    .lateral = Vec3::UnitX(),
                    .largest_offset = 0.12,

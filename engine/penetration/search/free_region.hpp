@@ -12,9 +12,9 @@ double farthest_move(const MassProperties& mass, const Pose& from, const Pose& t
 /// Stores the room around a free pose of the probe: a lower bound of the distance of the bodies
 /// there. As long as no point of the probe has moved by more than a part of that room, the probe
 /// and its path are free, and the bodies need not be examined. Never allocates.
-class FarApart {
+class FreeRegion {
  public:
-  FarApart(const Body& probe, const Body& fixed) noexcept : probe_(probe), fixed_(fixed) {}
+  FreeRegion(const Body& probe, const Body& fixed) noexcept : probe_(probe), fixed_(fixed) {}
 
   /// Call it before a pose that is unrelated to the previous ones.
   void forget() noexcept { used_up_at_ = 0, wait_ = 0, next_wait_ = 1, asked_ = 16; }

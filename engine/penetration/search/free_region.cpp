@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/penetration/search/far_apart.hpp"
+#include "engine/penetration/search/free_region.hpp"
 
 #include <algorithm>
 #include <array>
@@ -33,11 +33,11 @@ double farthest_move(const MassProperties& mass, const Pose& from, const Pose& t
          2 * mass.radius * (from.q.conjugate() * to.q).vec().norm();
 }
 
-bool FarApart::covers(const Pose& X_FM) const noexcept {
+bool FreeRegion::covers(const Pose& X_FM) const noexcept {
   return used_up_at_ > 0 && farthest_move(probe_.mass, centre_, X_FM) <= used_up_at_;
 }
 
-void FarApart::look(const Pose& X_FM, double last_move, Effort& effort) noexcept {
+void FreeRegion::look(const Pose& X_FM, double last_move, Effort& effort) noexcept {
   used_up_at_ = 0;
   if (wait_ > 0) {
     --wait_;

@@ -1,32 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/proximity/sweep/course.hpp"
+#include "engine/proximity/sweep/linearized_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace sonde {
 
-Path path_of(const Motion& motion, const Vec3& centre) {
+LinearizedMotion linearized(const Motion& motion, const Vec3& centre) {
   const Motion::Velocity v = motion.velocity(0);
   const Vec3 arm = motion.at(0).R * (centre - motion.com());
   const double bend = 0.5 * motion.acceleration_per_radius();
   return {{v.linear + v.angular.cross(arm), v.angular}, {bend * arm.norm(), bend}};
 }
 
-Displacement displacement_along(const Motion& motion, const Vec3& centre) {
-  const Path path = path_of(motion, centre);
+DisplacementBound displacement_bound_along(const Motion& motion, const Vec3& centre) {
+  const LinearizedMotion path = linearized(motion, centre);
   return {(path.course.linear.norm() + path.bend.linear) * (1 + 1e-9),
           motion.turn_bound() * (1 + 1e-12)};
 }
 
-Displacement displacement(const Transform& from, const Transform& to, const Vec3& centre) {
+DisplacementBound displacement_bound(const Transform& from, const Transform& to,
+                                     const Vec3& centre) {
   // For rotations, |R − R₀| as an operator norm is the Frobenius norm divided by √2.
   return {(1 + 1e-12) * (to * centre - from * centre).norm(),
           (1 + 1e-12) * (to.R - from.R).norm() / std::sqrt(2.0)};
 }
 
-Displacement deviation(const Transform& from, const Course& course, const Transform& to,
-                       const Path& path, const Vec3& centre, double arm) {
+DisplacementBound deviation(const Transform& from, const Course& course, const Transform& to,
+                            const LinearizedMotion& path, const Vec3& centre, double arm) {
   // From one pose to the other, arms r of the first move by (Q − 1) r. The antisymmetric part of Q
   // − 1 is a turn by a first-order vector, and the rest is of second order.
   const Vec3 went = to * centre - from * centre;

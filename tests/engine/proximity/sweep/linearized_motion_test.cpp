@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/proximity/sweep/course.hpp"
+#include "engine/proximity/sweep/linearized_motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ TEST(Course, no_point_goes_further_than_displacement_along_says) {
       Vec6 to = from + chart.coordinates(
                            rolled(random, chart.device(), centre, 0.1 * size * radius, size));
       const Motion motion(chart, from, to);
-      const Displacement most = displacement_along(motion, centre);
+      const DisplacementBound most = displacement_bound_along(motion, centre);
       double furthest = 0;  // of what is allowed
       for (int k = 0; k < 20; ++k) {
         const Vec3 x = centre + test::random_in_ball(random, radius);
@@ -65,7 +65,7 @@ Pose at_part(const Pose& X, const Course& course, const Vec3& centre, double u) 
 /// The least that any point of the probe, of some, is beyond what is allowed from the course, over
 /// all of the course: negative where all are within.
 double beyond(const Transform& from, const Course& course, const Transform& at, const Vec3& centre,
-              const Displacement& allowed, const std::vector<Vec3>& points) {
+              const DisplacementBound& allowed, const std::vector<Vec3>& points) {
   constexpr int parts = 2000;
   double least = 1e30;
   for (int k = 0; k <= parts; ++k) {
@@ -102,9 +102,9 @@ TEST(Course, a_path_goes_no_further_from_it_than_its_deviation) {
           nudged(random, *pair.a, at_part(start, course, centre, 0.3), off * 0.1 * size * radius);
       const Motion motion(chart, y, chart.coordinates(end));
       const Transform X(from), begin = motion.at(0);
-      const Path path = path_of(motion, centre);
+      const LinearizedMotion path = linearized(motion, centre);
       const double arm = radius + (centre - pair.a->mass.com).norm();
-      const Displacement allowed = deviation(X, course, begin, path, centre, arm);
+      const DisplacementBound allowed = deviation(X, course, begin, path, centre, arm);
       std::vector<Vec3> points{centre};
       for (int k = 0; k < 12; ++k) points.push_back(centre + test::random_in_ball(random, radius));
       const double step = course.size().of(radius) / 2000 + rounding_at(pair, from);
@@ -127,7 +127,7 @@ TEST(Course, on_the_course_the_deviation_is_of_second_order) {
     const Vec3 shift = 0.1 * course.linear.norm() * course.linear.unitOrthogonal();
     Pose at = at_part(from, course, centre, u);
     at.p += shift;
-    const Displacement off = deviation(Transform(from), course, Transform(at), {}, centre, 1);
+    const DisplacementBound off = deviation(Transform(from), course, Transform(at), {}, centre, 1);
     const double angle = u * course.turn.norm();
     const double second = std::sqrt(2) * (1 - std::cos(angle)) + std::pow(angle, 3) / 6;
     EXPECT_GE(off.linear, shift.norm() * (1 - 1e-9));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/penetration/search/far_apart.hpp"
+#include "engine/penetration/search/free_region.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,12 +20,12 @@ Vec3 random_vector(std::mt19937_64& random, double size) {
 }
 
 // Reference: the exact test. Small and large moves are tried.
-TEST(FarApart, what_is_covered_is_free) {
+TEST(FreeRegion, what_is_covered_is_free) {
   std::mt19937_64 random(7);
   int covered = 0, refused = 0, overlapping = 0;
   for (const test::BodyPair& pair : test::body_pairs(3)) {
     const double radius = pair.a->mass.radius;
-    FarApart far(*pair.a, *pair.b);
+    FreeRegion far(*pair.a, *pair.b);
     for (int i = 0; i < 400; ++i) {
       Pose X;
       X.q = rotation_by(random_vector(random, 3));
@@ -57,11 +57,11 @@ TEST(FarApart, what_is_covered_is_free) {
   EXPECT_GT(overlapping, 20);
 }
 
-TEST(FarApart, nothing_is_covered_before_a_look_and_after_it_is_forgotten) {
+TEST(FreeRegion, nothing_is_covered_before_a_look_and_after_it_is_forgotten) {
   const auto cube = test::body(test::box({1, 1, 1}));
   Pose away;
   away.p.x() = 5;
-  FarApart far(*cube, *cube);
+  FreeRegion far(*cube, *cube);
   EXPECT_FALSE(far.covers(away));
   Effort effort;
   far.look(away, 0.001, effort);
@@ -72,7 +72,7 @@ TEST(FarApart, nothing_is_covered_before_a_look_and_after_it_is_forgotten) {
 
 // Reference: the exact test at each device pose. In the free flight of a path that dips into a
 // ring, all that is said is that the probe is where the device is, wherever that is free.
-TEST(FarApart, a_tick_is_free_exactly_where_the_device_is) {
+TEST(FreeRegion, a_tick_is_free_exactly_where_the_device_is) {
   const auto probe = test::body(test::box({0.05, 0.04, 0.03}));
   const auto ring = test::body(test::torus(0.2, 0.05, 40, 20));
   const auto device = [](int i) {
