@@ -36,7 +36,7 @@ void PartFile::hold(WritableFile::Opening opening) {
   WritableFile next(file_, opening);
   if (!next.is_open() && next.error() != static_cast<int>(std::errc::file_exists))
     fail_to_write(next.error());
-  if (!next.is_open() || !next.hold())
+  if (!next.is_open() || !next.lock())
     throw InputError::in(file_.string(), "another run writes it now: wait, or name another --out");
   part_ = std::move(next);
 }

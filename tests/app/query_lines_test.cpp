@@ -117,7 +117,7 @@ TEST_F(Resumed, a_run_that_begins_anew_says_what_it_writes_over) {
 TEST_F(Resumed, two_runs_do_not_write_one_part) {
   folder.write("r.part", "of another\n");
   WritableFile other(folder / "r.part", WritableFile::Opening::existing);
-  ASSERT_TRUE(other.is_open() && other.hold());
+  ASSERT_TRUE(other.is_open() && other.lock());
   expect_refused(run, 3, "r.part: another run writes it now");
   expect_refused(run + "--resume", 3, "r.part: another run writes it now");
   EXPECT_EQ(text_of(folder / "r.part"), "of another\n");
