@@ -118,15 +118,15 @@ WayInControl::WayInControl(Viewport& viewport, QMainWindow& window, QDockWidget&
       map_job_(&window),
       flight_(viewport, this) {
   window.addDockWidget(window.dockWidgetArea(&beside), panel_);
-  panel_->compute_wanted = [this] { compute(); };
-  panel_->stop_wanted = [this] { stop(); };
-  panel_->first_wanted = [this] { to_first_contact(); };
-  panel_->play_wanted = [this](bool on) { play(on); };
-  panel_->sought = [this](double travel) { seek(travel); };
-  panel_->pick_wanted = [this](WayPick what) { pick(what); };
-  panel_->map_asked = [this] { compute_map(); };
-  panel_->map_stop_wanted = [this] { map_job_.cancel(); };
-  panel_->map_place_wanted = [this](const MapPlace& place) { to_map_place(place); };
+  connect(panel_, &WayInPanel::compute_wanted, this, &WayInControl::compute);
+  connect(panel_, &WayInPanel::stop_wanted, this, &WayInControl::stop);
+  connect(panel_, &WayInPanel::first_wanted, this, &WayInControl::to_first_contact);
+  connect(panel_, &WayInPanel::play_wanted, this, &WayInControl::play);
+  connect(panel_, &WayInPanel::sought, this, &WayInControl::seek);
+  connect(panel_, &WayInPanel::pick_wanted, this, &WayInControl::pick);
+  connect(panel_, &WayInPanel::map_asked, this, &WayInControl::compute_map);
+  connect(panel_, &WayInPanel::map_stop_wanted, &map_job_, &Job::cancel);
+  connect(panel_, &WayInPanel::map_place_wanted, this, &WayInControl::to_map_place);
   map_job_.watched = [this](double fraction) { panel_->show_map_progress(fraction); };
   job_.watched = [this](double fraction) { panel_->show_progress(fraction); };
   steps_.setInterval(step_ms);
