@@ -61,15 +61,16 @@ HistoryControl::HistoryControl(Opener& opener, Prompts& prompts, QWidget& window
       timeline_(new TimelinePanel(&window)),
       plots_(new PlotsPanel(&window)),
       job_(&window) {
-  timeline_->sought = [this](double time) { look_at(time); };
-  timeline_->stepped = [this](int ticks) { step(ticks); };
-  timeline_->played = [this](bool on) { play(on); };
-  timeline_->looped = [this](bool on) { playback_.set_loop(on); };
-  timeline_->recorded = [this](bool on) { set_recording(on); };
-  timeline_->replay_shown = [this](bool on) { show_replay(on); };
-  timeline_->speed_changed = [this](double speed) { playback_.set_speed(speed); };
-  timeline_->live_wanted = [this] { go_live(); };
-  plots_->sought = [this](double time) { look_at(time); };
+  connect(timeline_, &TimelinePanel::sought, this, &HistoryControl::look_at);
+  connect(timeline_, &TimelinePanel::stepped, this, &HistoryControl::step);
+  connect(timeline_, &TimelinePanel::played, this, &HistoryControl::play);
+  connect(timeline_, &TimelinePanel::looped, this, [this](bool on) { playback_.set_loop(on); });
+  connect(timeline_, &TimelinePanel::recorded, this, &HistoryControl::set_recording);
+  connect(timeline_, &TimelinePanel::replay_shown, this, &HistoryControl::show_replay);
+  connect(timeline_, &TimelinePanel::speed_changed, this,
+          [this](double speed) { playback_.set_speed(speed); });
+  connect(timeline_, &TimelinePanel::live_wanted, this, &HistoryControl::go_live);
+  connect(plots_, &PlotsPanel::sought, this, &HistoryControl::look_at);
   connect(&ending_timer_, &QTimer::timeout, this, [this] { report_ended(); });
 }
 
