@@ -50,15 +50,13 @@ StiffnessControl::StiffnessControl(std::vector<std::filesystem::path> profile_fo
     if (failed) failed(reason);
   };
   sets_.switched = [this] { show_sets(); };
-  panel_->load_asked = [this] { ask_load(); };
-  panel_->compute_asked = [this] { compute(); };
-  panel_->stop_asked = [this] { stop(); };
-  panel_->save_asked = [this] { ask_save(); };
-  panel_->gains_asked = [this](GainAxis axis, double stiffness, double damping) {
-    set_gains(axis, stiffness, damping);
-  };
-  panel_->apply_asked = [this] { apply_recommended(); };
-  panel_->switch_asked = [this] { switch_gains(); };
+  connect(panel_, &StiffnessPanel::load_asked, this, &StiffnessControl::ask_load);
+  connect(panel_, &StiffnessPanel::compute_asked, this, &StiffnessControl::compute);
+  connect(panel_, &StiffnessPanel::stop_asked, this, &StiffnessControl::stop);
+  connect(panel_, &StiffnessPanel::save_asked, this, &StiffnessControl::ask_save);
+  connect(panel_, &StiffnessPanel::gains_asked, this, &StiffnessControl::set_gains);
+  connect(panel_, &StiffnessPanel::apply_asked, this, &StiffnessControl::apply_recommended);
+  connect(panel_, &StiffnessPanel::switch_asked, this, &StiffnessControl::switch_gains);
   keep_timer_.setSingleShot(true);
   connect(&keep_timer_, &QTimer::timeout, this, [this] { write_gains(); });
   show_gains(coupling_.coupling());
