@@ -38,6 +38,9 @@ class RepairsControl : public QObject {
   std::function<void(bool away)> away_changed;
 
  private:
+  void repair(std::size_t body, bool as_in_file);
+  void close_openings(std::size_t body);
+  void put_away();
   const Body& body(std::size_t index) const;
   std::optional<RepairsRow> row_of(std::size_t index) const;
   void show_rows();
