@@ -54,14 +54,15 @@ SeeingControl::SeeingControl(Viewport& viewport, DocumentControl& documents, QMa
   };
   window.addDockWidget(window.dockWidgetArea(&beside), panel_);
   window.addDockWidget(window.dockWidgetArea(&beside), contacts_);
-  panel_->changed = [this](const Seeing& seeing) { set_seeing(seeing); };
-  panel_->snap_wanted = [this] { snap_cut(); };
-  panel_->face_wanted = [this] { face_cut(); };
-  panel_->gap_reach_changed = [this](std::optional<double> reach) { gaps_.set_reach(reach); };
-  panel_->save_wanted = [this] { save_view(); };
-  panel_->view_wanted = [this](int index) { go_to_view(index); };
-  panel_->forget_wanted = [this](int index) { forget_view(index); };
-  contacts_->chosen_changed = [this](std::uint64_t id) { viewport_.choose_contact(id); };
+  connect(panel_, &SeeingPanel::changed, this, &SeeingControl::set_seeing);
+  connect(panel_, &SeeingPanel::snap_wanted, this, &SeeingControl::snap_cut);
+  connect(panel_, &SeeingPanel::face_wanted, this, &SeeingControl::face_cut);
+  connect(panel_, &SeeingPanel::gap_reach_changed, this,
+          [this](std::optional<double> reach) { gaps_.set_reach(reach); });
+  connect(panel_, &SeeingPanel::save_wanted, this, &SeeingControl::save_view);
+  connect(panel_, &SeeingPanel::view_wanted, this, &SeeingControl::go_to_view);
+  connect(panel_, &SeeingPanel::forget_wanted, this, &SeeingControl::forget_view);
+  connect(contacts_, &ContactsPanel::chosen_changed, &viewport_, &Viewport::choose_contact);
   pick_->picked = [this](QPointF at) { measure(at); };
   pick_->clicked = [this](QPointF at) { click(at); };
   pick_->cut_moved = [this](double along) {

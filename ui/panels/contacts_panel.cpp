@@ -116,7 +116,7 @@ void ContactsPanel::on_selection() {
   if (filling_) return;
   const auto selected = rows_->selectedItems();
   chosen_ = selected.isEmpty() ? 0 : id_of(*selected.front());
-  if (chosen_changed) chosen_changed(chosen_);
+  emit chosen_changed(chosen_);
 }
 
 }  // namespace sonde::ui
