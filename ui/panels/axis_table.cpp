@@ -87,7 +87,7 @@ void AxisTable::report() {
                     .gain = rows_[i].gain->value(),
                     .dead_zone = rows_[i].dead_zone->value(),
                     .expo = rows_[i].expo->value()};
-  if (changed) changed(axes);
+  emit changed(axes);
 }
 
 }  // namespace sonde::ui

@@ -129,6 +129,7 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
+  void connect_coupling();
   void connect_devices();
   void connect_measuring();
   void connect_documents();
@@ -142,6 +143,7 @@ class MainWindow : public QMainWindow {
   void fade_hint();
   void lay_desk();
   void place(const Pose& X_FM);
+  void set_coupling(const Coupling& coupling);
   void show_session(DrawnSession drawn, bool same_document = false);
   void show_nothing();
   void show_document();

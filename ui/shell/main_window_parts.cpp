@@ -88,13 +88,7 @@ MainWindow::MainWindow(QWidget* parent)
   mouse_->moved = [this](const Pose& pose) {
     if (session() && !history_->looking_back()) session()->set_device_pose(pose);
   };
-  coupling_panel_->changed = [this](const Coupling& coupling) {
-    if (session()) session()->set_coupling(coupling);
-    documents_->set_coupling(coupling);
-    viewport_->set_coupling(coupling);
-    stiffness_->show_gains(coupling);
-  };
-  coupling_panel_->mouse_gain_changed = [this](double gain) { mouse_->set_gain(gain); };
+  connect_coupling();
   mouse_->settled = [this](const Pose& before, bool one_of_many) {
     if (history_->looking_back()) return;
     documents_->moved_from(before, one_of_many ? QStringLiteral("Nudge") : QStringLiteral("Drag"),
@@ -126,21 +120,35 @@ MainWindow::MainWindow(QWidget* parent)
   viewport_->canvas()->setFocus();
 }
 
+/// The loop first, then what shows or keeps it.
+void MainWindow::connect_coupling() {
+  connect(coupling_panel_, &CouplingPanel::changed, this, &MainWindow::set_coupling);
+  connect(coupling_panel_, &CouplingPanel::changed, documents_.get(),
+          &DocumentControl::set_coupling);
+  connect(coupling_panel_, &CouplingPanel::changed, viewport_, &Viewport::set_coupling);
+  connect(coupling_panel_, &CouplingPanel::changed, stiffness_, &StiffnessControl::show_gains);
+  connect(coupling_panel_, &CouplingPanel::mouse_gain_changed, mouse_, &MouseProbe::set_gain);
+}
+
+void MainWindow::set_coupling(const Coupling& coupling) {
+  if (session()) session()->set_coupling(coupling);
+}
+
 void MainWindow::connect_devices() {
+  DeviceControl* devices = devices_.get();
   devices_->changed = [this] { show_holder(); };
   devices_->report_error = [this](const QString& reason) { complain(reason); };
-  device_panel_->chosen = [this](const InputSource& source) { devices_->choose(source); };
-  device_panel_->path_wanted = [this] { ask_path(); };
-  device_panel_->settings_changed = [this](const DeviceSettings& settings) {
-    documents_->set_device_settings(settings);
-  };
-  device_panel_->grip().changed = [this](const SimulatedGrip& grip) { devices_->set_grip(grip); };
+  connect(device_panel_, &DevicePanel::chosen, devices, &DeviceControl::choose);
+  connect(device_panel_, &DevicePanel::path_wanted, this, &MainWindow::ask_path);
+  connect(device_panel_, &DevicePanel::settings_changed, documents_.get(),
+          &DocumentControl::set_device_settings);
+  connect(&device_panel_->grip(), &GripBox::changed, devices, &DeviceControl::set_grip);
   device_panel_->grip().show_grip(devices_->grip());
-  device_panel_->led_switched = [this](bool on) { devices_->set_led(on); };
+  connect(device_panel_, &DevicePanel::led_switched, devices, &DeviceControl::set_led);
 }
 
 void MainWindow::connect_measuring() {
-  device_panel_->measure_asked = [this] { measure_->ask(); };
+  connect(device_panel_, &DevicePanel::measure_asked, measure_, &MeasureControl::ask);
   connect(this, &MainWindow::force_changed, measure_, &MeasureControl::force_switched);
   measure_->say = [this](const QString& what) { log_->add(what); };
   measure_->obstacle = [this] {
@@ -226,15 +234,15 @@ void MainWindow::connect_documents() {
   DocumentControl* documents = documents_.get();
   documents->changed = [this] { show_document(); };
   documents->saved = [this](const Scene& scene) { stiffness_->saved(scene); };
-  pose_panel_->placed = [documents](const Pose& pose) {
+  connect(pose_panel_, &PosePanel::placed, documents, [documents](const Pose& pose) {
     documents->place(pose, QStringLiteral("Place the probe"));
-  };
-  pose_panel_->nudge_changed = [this](const Nudge& nudge) { mouse_->set_nudge(nudge); };
-  pose_panel_->copy_wanted = [documents] { documents->copy_pose(); };
-  pose_panel_->copy_matrix_wanted = [documents] { documents->copy_matrix(); };
-  pose_panel_->paste_wanted = [documents] { documents->paste_pose(); };
-  pose_panel_->start_wanted = [documents] { documents->start_from_here(); };
-  pose_panel_->swap_wanted = [documents] { documents->swap_bodies(); };
+  });
+  connect(pose_panel_, &PosePanel::nudge_changed, mouse_, &MouseProbe::set_nudge);
+  connect(pose_panel_, &PosePanel::copy_wanted, documents, &DocumentControl::copy_pose);
+  connect(pose_panel_, &PosePanel::copy_matrix_wanted, documents, &DocumentControl::copy_matrix);
+  connect(pose_panel_, &PosePanel::paste_wanted, documents, &DocumentControl::paste_pose);
+  connect(pose_panel_, &PosePanel::start_wanted, documents, &DocumentControl::start_from_here);
+  connect(pose_panel_, &PosePanel::swap_wanted, documents, &DocumentControl::swap_bodies);
   start_page_->scene_wanted = [documents] { documents->ask_scene(); };
   start_page_->meshes_wanted = [documents] { documents->ask_meshes(); };
   start_page_->chosen = [this](const QStringList& files) { open(files); };
