@@ -42,7 +42,8 @@ ClashControl::ClashControl(Viewport& viewport, QMainWindow& window, QDockWidget&
   connect(panel_, &ClashPanel::find_wanted, this, &ClashControl::find);
   connect(panel_, &ClashPanel::stop_wanted, &job_, &Job::cancel);
   connect(panel_, &ClashPanel::chosen, this, &ClashControl::show);
-  job_.watched = [this](double fraction) { panel_->show_progress(fraction); };
+  job_.stay_back();
+  connect(&job_, &Job::progressed, panel_, &ClashPanel::show_progress);
 }
 
 void ClashControl::attach(Session* session, bool same_document) {

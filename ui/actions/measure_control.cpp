@@ -40,9 +40,7 @@ MeasureControl::MeasureControl(DeviceControl& devices,
       prompts_(prompts),
       window_(window),
       job_(&window) {
-  job_.watched = [this](double fraction) {
-    if (dialog_) dialog_->show_computing(fraction);
-  };
+  job_.stay_back();
   connect(&timer_, &QTimer::timeout, this, [this] { look(); });
 }
 
@@ -50,6 +48,7 @@ void MeasureControl::ask() {
   if (dialog_ || !devices_.report().measurable) return;
   dialog_ = new MeasureDialog(&window_);
   dialog_->setAttribute(Qt::WA_DeleteOnClose);
+  connect(&job_, &Job::progressed, dialog_.data(), &MeasureDialog::show_computing);
   dialog_->start_asked = [this] { start(); };
   dialog_->cancel_asked = [this] { stop(QStringLiteral("cancelled")); };
   dialog_->profile_chosen = [this](const QString& id) { show_subject(id); };

@@ -32,7 +32,8 @@ QString time_left_text(double seconds, std::size_t computed, std::size_t missing
 
 Tuner::Tuner(QWidget& window, Prompts& prompts)
     : prompts_(prompts), job_(&window), computing_(&window) {
-  computing_.watched = [this](double fraction) { look(fraction); };
+  computing_.stay_back();
+  connect(&computing_, &Job::progressed, this, &Tuner::look);
 }
 
 Tuner::~Tuner() = default;

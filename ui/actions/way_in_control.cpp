@@ -127,8 +127,9 @@ WayInControl::WayInControl(Viewport& viewport, QMainWindow& window, QDockWidget&
   connect(panel_, &WayInPanel::map_asked, this, &WayInControl::compute_map);
   connect(panel_, &WayInPanel::map_stop_wanted, &map_job_, &Job::cancel);
   connect(panel_, &WayInPanel::map_place_wanted, this, &WayInControl::to_map_place);
-  map_job_.watched = [this](double fraction) { panel_->show_map_progress(fraction); };
-  job_.watched = [this](double fraction) { panel_->show_progress(fraction); };
+  for (Job* job : {&job_, &map_job_}) job->stay_back();
+  connect(&job_, &Job::progressed, panel_, &WayInPanel::show_progress);
+  connect(&map_job_, &Job::progressed, panel_, &WayInPanel::show_map_progress);
   steps_.setInterval(step_ms);
   connect(&steps_, &QTimer::timeout, this, [this] { step_on(); });
 }
