@@ -85,16 +85,9 @@ MainWindow::MainWindow(QWidget* parent)
   add_history();
   add_sides();
   add_menus(*this);
-  mouse_->moved = [this](const Pose& pose) {
-    if (session() && !history_->looking_back()) session()->set_device_pose(pose);
-  };
+  connect(mouse_, &MouseProbe::moved, this, &MainWindow::follow_mouse);
   connect_coupling();
-  mouse_->settled = [this](const Pose& before, bool one_of_many) {
-    if (history_->looking_back()) return;
-    documents_->moved_from(before, one_of_many ? QStringLiteral("Nudge") : QStringLiteral("Drag"),
-                           one_of_many);
-    if (!one_of_many) fade_hint();
-  };
+  connect(mouse_, &MouseProbe::settled, this, &MainWindow::keep_motion);
   connect_devices();
   connect_measuring();
   connect_documents();
@@ -118,6 +111,17 @@ MainWindow::MainWindow(QWidget* parent)
   clock_.start();
   restore_window();
   viewport_->canvas()->setFocus();
+}
+
+void MainWindow::follow_mouse(const Pose& X_FM) {
+  if (session() && !history_->looking_back()) session()->set_device_pose(X_FM);
+}
+
+void MainWindow::keep_motion(const Pose& before, bool one_of_many) {
+  if (history_->looking_back()) return;
+  documents_->moved_from(before, one_of_many ? QStringLiteral("Nudge") : QStringLiteral("Drag"),
+                         one_of_many);
+  if (!one_of_many) fade_hint();
 }
 
 /// The loop first, then what shows or keeps it.
