@@ -140,8 +140,8 @@ void MainWindow::set_coupling(const Coupling& coupling) {
 
 void MainWindow::connect_devices() {
   DeviceControl* devices = devices_.get();
-  devices_->changed = [this] { show_holder(); };
-  devices_->report_error = [this](const QString& reason) { complain(reason); };
+  connect(devices, &DeviceControl::changed, this, &MainWindow::show_holder);
+  connect(devices, &DeviceControl::failed, this, &MainWindow::complain);
   connect(device_panel_, &DevicePanel::chosen, devices, &DeviceControl::choose);
   connect(device_panel_, &DevicePanel::path_wanted, this, &MainWindow::ask_path);
   connect(device_panel_, &DevicePanel::settings_changed, documents_.get(),
