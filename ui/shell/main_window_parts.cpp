@@ -247,9 +247,10 @@ void MainWindow::connect_documents() {
   connect(pose_panel_, &PosePanel::paste_wanted, documents, &DocumentControl::paste_pose);
   connect(pose_panel_, &PosePanel::start_wanted, documents, &DocumentControl::start_from_here);
   connect(pose_panel_, &PosePanel::swap_wanted, documents, &DocumentControl::swap_bodies);
-  start_page_->scene_wanted = [documents] { documents->ask_scene(); };
-  start_page_->meshes_wanted = [documents] { documents->ask_meshes(); };
-  start_page_->chosen = [this](const QStringList& files) { open(files); };
+  connect(start_page_, &StartPage::scene_wanted, documents, &DocumentControl::ask_scene);
+  connect(start_page_, &StartPage::meshes_wanted, documents,
+          [documents] { documents->ask_meshes(); });
+  connect(start_page_, &StartPage::chosen, this, [this](const QStringList& files) { open(files); });
 }
 
 void MainWindow::show_start_page(const QString& reason, const QStringList& files) {
