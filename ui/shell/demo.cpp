@@ -125,9 +125,7 @@ void Demo::rest(double seconds) {
   end(finish());
 }
 
-void Demo::end(int exit_code) {
-  if (ended) ended(exit_code);
-}
+void Demo::end(int exit_code) { emit ended(exit_code); }
 
 int Demo::finish() {
   if (!window_.shown() || lit_share(window_.viewport().picture()) < least_lit) {

@@ -61,7 +61,8 @@ MainWindow::MainWindow(QWidget* parent)
       stiffness_(new StiffnessControl(device_profile_folders(), *coupling_panel_,
                                       documents_->document().stack(), prompts_, *this)),
       status_(*statusBar()),
-      escape_([this] { set_force(false); }, [this] { return felt_ || measure_->going_on(); }) {
+      escape_([this] { return felt_ || measure_->going_on(); }) {
+  connect(&escape_, &EscapeKey::pressed, this, [this] { set_force(false); });
   setObjectName(QStringLiteral("main_window"));
   setWindowTitle(QStringLiteral("Sonde"));
   setAcceptDrops(true);
