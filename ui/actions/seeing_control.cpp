@@ -49,9 +49,7 @@ SeeingControl::SeeingControl(Viewport& viewport, DocumentControl& documents, QMa
       pick_(new ViewPick(viewport, this)),
       gaps_(viewport),
       crossings_(viewport, window) {
-  crossings_.say = [this](const QString& what) {
-    if (say) say(what);
-  };
+  connect(&crossings_, &CrossingFinder::say, this, &SeeingControl::say);
   window.addDockWidget(window.dockWidgetArea(&beside), panel_);
   window.addDockWidget(window.dockWidgetArea(&beside), contacts_);
   connect(panel_, &SeeingPanel::changed, this, &SeeingControl::set_seeing);
@@ -63,19 +61,10 @@ SeeingControl::SeeingControl(Viewport& viewport, DocumentControl& documents, QMa
   connect(panel_, &SeeingPanel::view_wanted, this, &SeeingControl::go_to_view);
   connect(panel_, &SeeingPanel::forget_wanted, this, &SeeingControl::forget_view);
   connect(contacts_, &ContactsPanel::chosen_changed, &viewport_, &Viewport::choose_contact);
-  pick_->picked = [this](QPointF at) { measure(at); };
-  pick_->clicked = [this](QPointF at) { click(at); };
-  pick_->cut_moved = [this](double along) {
-    Seeing seeing = seeing_;
-    seeing.cut.point += seeing.cut.normal * along;
-    set_seeing(seeing);
-  };
-  pick_->cut_turned = [this](const Vec3& turn) {
-    Seeing seeing = seeing_;
-    if (const double angle = turn.norm(); angle > 0)
-      seeing.cut.normal = (Eigen::AngleAxisd(angle, turn / angle) * seeing.cut.normal).normalized();
-    set_seeing(seeing);
-  };
+  connect(pick_, &ViewPick::picked, this, &SeeingControl::measure);
+  connect(pick_, &ViewPick::clicked, this, &SeeingControl::click);
+  connect(pick_, &ViewPick::cut_moved, this, &SeeingControl::move_cut);
+  connect(pick_, &ViewPick::cut_turned, this, &SeeingControl::turn_cut);
 }
 
 SeeingControl::~SeeingControl() = default;
@@ -100,12 +89,20 @@ void SeeingControl::set_seeing(const Seeing& seeing) {
   seeing_ = seeing;
   viewport_.set_seeing(seeing);
   panel_->show_seeing(seeing);
-  for (const auto& hear : heard_) hear();
+  emit changed();
 }
 
-void SeeingControl::on_change(std::function<void()> heard) {
-  heard();
-  heard_.push_back(std::move(heard));
+void SeeingControl::move_cut(double along) {
+  Seeing seeing = seeing_;
+  seeing.cut.point += seeing.cut.normal * along;
+  set_seeing(seeing);
+}
+
+void SeeingControl::turn_cut(const Vec3& turn) {
+  Seeing seeing = seeing_;
+  if (const double angle = turn.norm(); angle > 0)
+    seeing.cut.normal = (Eigen::AngleAxisd(angle, turn / angle) * seeing.cut.normal).normalized();
+  set_seeing(seeing);
 }
 
 void SeeingControl::set_cut(bool on) {
@@ -136,7 +133,7 @@ const ContactCluster* SeeingControl::leading() const {
 void SeeingControl::snap_cut() {
   const ContactCluster* contact = leading();
   if (!contact) {
-    if (say) say(QStringLiteral("There is no contact to cut through."));
+    emit say(QStringLiteral("There is no contact to cut through."));
     return;
   }
   Seeing seeing = seeing_;
@@ -200,7 +197,7 @@ void SeeingControl::click(QPointF at) {
     if (distance < nearest) nearest = distance, best = &c;
   }
   if (best) return choose_contact(best->id == contacts_->chosen() ? 0 : best->id);
-  if (clicked) clicked(at);
+  emit clicked(at);
 }
 
 void SeeingControl::choose_contact(std::uint64_t id) {

@@ -158,6 +158,8 @@ class MainWindow : public QMainWindow {
   void forget_shown() { shown_.reset(), instant_.reset(); }
   void pause(bool paused);
   void complain(const QString& reason);
+  void tell(const QString& what);
+  void tell_longer(const QString& what);
   bool open_recording(const QStringList& files);
   void open_one_mesh(const QString& file);
   void ask_search();

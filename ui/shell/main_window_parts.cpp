@@ -40,6 +40,7 @@ namespace sonde::ui {
 namespace {
 
 constexpr int frame_ms = 16;
+constexpr int passing_ms = 4000;  // a message in passing
 
 }  // namespace
 
@@ -80,7 +81,7 @@ MainWindow::MainWindow(QWidget* parent)
   accuracy_ = new AccuracyControl(*documents_, *this, *coupling_panel_);
   exporter_ = new ExportControl(*viewport_, *this);
   connect_export();
-  seeing_->say = [this](const QString& what) { statusBar()->showMessage(what, 4000); };
+  connect(seeing_, &SeeingControl::say, this, &MainWindow::tell);
   addDockWidget(Qt::BottomDockWidgetArea, log_);
   connect(statusBar(), &QStatusBar::messageChanged, log_, &LogPanel::add);
   add_history();
@@ -112,6 +113,13 @@ MainWindow::MainWindow(QWidget* parent)
   clock_.start();
   restore_window();
   viewport_->canvas()->setFocus();
+}
+
+/// In passing.
+void MainWindow::tell(const QString& what) { statusBar()->showMessage(what, passing_ms); }
+
+void MainWindow::tell_longer(const QString& what) {
+  statusBar()->showMessage(what, 2 * passing_ms);
 }
 
 void MainWindow::follow_mouse(const Pose& X_FM) {
@@ -181,7 +189,7 @@ void MainWindow::add_history() {
 
 void MainWindow::add_assembly() {
   parts_ = new PartsControl(*viewport_, *documents_, prompts_, *this, *coupling_panel_);
-  seeing_->clicked = [this](QPointF at) { parts_->click(at); };
+  connect(seeing_, &SeeingControl::clicked, parts_, &PartsControl::click);
   const auto place_for_way = [this](const Pose& pose) {
     documents_->place(pose, QStringLiteral("Way in"), true);
   };
