@@ -65,7 +65,7 @@ void RepairsControl::set_away(bool away) {
   if (away == away_) return;
   away_ = away;
   show_rows();
-  if (away_changed) away_changed(away);
+  emit away_changed(away);
 }
 
 const Body& RepairsControl::body(std::size_t index) const {
@@ -115,7 +115,7 @@ void RepairsControl::show_next() {
     if (has_more) return show_next(index);
     next_.at(index) = 0;  // through: the other one, and then it again
   }
-  if (say) say(QStringLiteral("Nothing was mended."));
+  emit say(QStringLiteral("Nothing was mended."));
 }
 
 void RepairsControl::show_next(std::size_t index) {
@@ -133,10 +133,9 @@ void RepairsControl::show_next(std::size_t index) {
                              QStringLiteral("%1: %2").arg(in_full, words(place.kind))};
   bar_->show_places(index, count, in_full);
   flight_.show(pointed);
-  if (say)
-    say(QStringLiteral("%1, %2, %3 across")
-            .arg(short_name(body), pointed.text,
-                 LengthUnit(body.mass.radius).text(2 * place.size)));
+  emit say(
+      QStringLiteral("%1, %2, %3 across")
+          .arg(short_name(body), pointed.text, LengthUnit(body.mass.radius).text(2 * place.size)));
 }
 
 }  // namespace sonde::ui

@@ -212,7 +212,7 @@ void MainWindow::add_repairs() {
   column->addWidget(viewport_, 1);
   middle->setFocusProxy(viewport_);  // who gives the keyboard back gives it to the view
   setCentralWidget(middle);
-  repairs_->say = [this](const QString& what) { statusBar()->showMessage(what, 8000); };
+  connect(repairs_, &RepairsControl::say, this, &MainWindow::tell_longer);
 }
 
 void MainWindow::connect_export() {
