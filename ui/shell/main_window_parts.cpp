@@ -163,7 +163,7 @@ void MainWindow::connect_devices() {
 void MainWindow::connect_measuring() {
   connect(device_panel_, &DevicePanel::measure_asked, measure_, &MeasureControl::ask);
   connect(this, &MainWindow::force_changed, measure_, &MeasureControl::force_switched);
-  measure_->say = [this](const QString& what) { log_->add(what); };
+  connect(measure_, &MeasureControl::say, log_, &LogPanel::add);
   measure_->obstacle = [this] {
     if (!force_) return QStringLiteral("the force is off: switch it on first");
     if (!session() || session()->paused()) return QStringLiteral("the loop is paused");
