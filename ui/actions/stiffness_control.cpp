@@ -42,14 +42,10 @@ StiffnessControl::StiffnessControl(std::vector<std::filesystem::path> profile_fo
       panel_(new StiffnessPanel(device_profile_ids(profile_folders_), &window)),
       tuner_(window, prompts),
       sets_(coupling, undo) {
-  tuner_.ready = [this](Tuning tuning) { take(std::move(tuning)); };
-  tuner_.progressed = [this](const std::optional<StudyProgress>& progress) {
-    panel_->show_progress(progress);
-  };
-  tuner_.failed = [this](const QString& reason) {
-    if (failed) failed(reason);
-  };
-  sets_.switched = [this] { show_sets(); };
+  connect(&tuner_, &Tuner::ready, this, &StiffnessControl::take);
+  connect(&tuner_, &Tuner::progressed, panel_, &StiffnessPanel::show_progress);
+  connect(&tuner_, &Tuner::failed, this, &StiffnessControl::failed);
+  connect(&sets_, &GainSets::switched, this, &StiffnessControl::show_sets);
   connect(panel_, &StiffnessPanel::load_asked, this, &StiffnessControl::ask_load);
   connect(panel_, &StiffnessPanel::compute_asked, this, &StiffnessControl::compute);
   connect(panel_, &StiffnessPanel::stop_asked, this, &StiffnessControl::stop);
@@ -115,8 +111,8 @@ void StiffnessControl::restore_gains() {
     const bool others = !same(kept_[kept_active_], sets_.gains(sets_.active()));
     sets_.restore(kept_, kept_active_);
     keep_timer_.stop();
-    if (others && say)
-      say(QStringLiteral(
+    if (others)
+      emit say(QStringLiteral(
           "Gains as they were last, here and with this device; the Coupling dock has "
           "those of the scene."));
   } catch (const InputError& bad) {
@@ -142,7 +138,7 @@ void StiffnessControl::write_gains_now() {
   try {
     write_kept_gains(gains_file_, {kept_, kept_active_, scene_.coupling});
   } catch (const InputError& bad) {  // a full disk: what is felt is not affected
-    if (say) say(QString::fromUtf8(bad.what()));
+    emit say(QString::fromUtf8(bad.what()));
   }
 }
 
@@ -157,8 +153,8 @@ void StiffnessControl::show_sets() {
   if (session_ && !gains_file_.empty() && !keep_timer_.isActive()) keep_timer_.start(keep_ms);
 }
 
-void StiffnessControl::take(Tuning tuning) {
-  tuning_ = std::move(tuning);
+void StiffnessControl::take(const Tuning& tuning) {
+  tuning_ = tuning;
   panel_->show_tuning(tuning_);
 }
 
@@ -166,7 +162,7 @@ void StiffnessControl::frame(qint64 now) {
   if (!session_) return;
   for (Snapshot tick; session_->next_tick(tick);) {
     last_second_.add(tick);
-    if (ticked) ticked(tick);
+    emit ticked(tick);
     newest_ = tick.time;
     if (std::string kind = kind_of_contact(tick.separation); !kind.empty())
       newest_contact_ = std::move(kind);

@@ -145,6 +145,7 @@ class MainWindow : public QMainWindow {
   void place(const Pose& X_FM);
   void follow_mouse(const Pose& X_FM);
   void keep_motion(const Pose& before, bool one_of_many);
+  void keep_tick(const Snapshot& tick);
   void set_coupling(const Coupling& coupling);
   void show_session(DrawnSession drawn, bool same_document = false);
   void show_nothing();

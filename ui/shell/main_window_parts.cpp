@@ -93,12 +93,9 @@ MainWindow::MainWindow(QWidget* parent)
   connect_devices();
   connect_measuring();
   connect_documents();
-  stiffness_->ticked = [this](const Snapshot& tick) {
-    log_->add(force_log_.add(tick));
-    history_->add(tick);
-  };
-  stiffness_->say = [this](const QString& what) { statusBar()->showMessage(what, 8000); };
-  stiffness_->failed = [this](const QString& reason) { log_->add(reason); };
+  connect(stiffness_, &StiffnessControl::ticked, this, &MainWindow::keep_tick);
+  connect(stiffness_, &StiffnessControl::say, this, &MainWindow::tell_longer);
+  connect(stiffness_, &StiffnessControl::failed, log_, &LogPanel::add);
   opener_->ready = [this](DrawnSession drawn) { show_session(std::move(drawn)); };
   opener_->say = [this](const QString& what) { statusBar()->showMessage(what, 4000); };
   opener_->failed = [this](const QString& reason) {
@@ -131,6 +128,11 @@ void MainWindow::keep_motion(const Pose& before, bool one_of_many) {
   documents_->moved_from(before, one_of_many ? QStringLiteral("Nudge") : QStringLiteral("Drag"),
                          one_of_many);
   if (!one_of_many) fade_hint();
+}
+
+void MainWindow::keep_tick(const Snapshot& tick) {
+  log_->add(force_log_.add(tick));
+  history_->add(tick);
 }
 
 /// The loop first, then what shows or keeps it.
