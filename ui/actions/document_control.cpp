@@ -32,18 +32,20 @@ QString text_of(const std::filesystem::path& path) { return QString::fromStdStri
 
 DocumentControl::DocumentControl(Opener& opener, Prompts& prompts, DocumentView view)
     : opener_(opener), prompts_(prompts), view_(std::move(view)), recovery_(recovery_folder()) {
-  document_.changed = [this](const Content& from, const Content& to) { apply(from, to); };
+  connect(&document_, &Document::changed, this, &DocumentControl::apply);
   connect(&document_.stack(), &QUndoStack::indexChanged, this, [this](int index) {
     // While a command is done or undone the index is still that of before.
     if (!document_.empty() && document_.content().bodies == on_show_) index_on_show_ = index;
     tell();
   });
-  watch_.changed = [this](const QString& file) { file_changed(file); };
-  watch_.vanished = [this](const QString& file) {
-    view_.say(QStringLiteral("%1 is no longer on the disk. What is open stays.").arg(file));
-  };
+  connect(&watch_, &FileWatch::changed, this, &DocumentControl::file_changed);
+  connect(&watch_, &FileWatch::vanished, this, &DocumentControl::file_vanished);
   connect(&recovery_timer_, &QTimer::timeout, this, [this] { keep_for_recovery(); });
   recovery_timer_.start(recovery_ms);
+}
+
+void DocumentControl::file_vanished(const QString& file) {
+  view_.say(QStringLiteral("%1 is no longer on the disk. What is open stays.").arg(file));
 }
 
 void DocumentControl::tell() const {

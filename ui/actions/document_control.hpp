@@ -109,6 +109,7 @@ class DocumentControl : public QObject {
   bool write(const std::filesystem::path& file);
   void watch();
   void file_changed(const QString& file);
+  void file_vanished(const QString& file);
   void reload(const QString& file, const QString& what,
               std::function<LoadedScene(const Progress&)> open);
   void recover(const std::filesystem::path& file);

@@ -55,8 +55,10 @@ void FileWatch::look() {
   }
   if (rests) timer_.stop();
   for (const QString& file : told) {
-    const auto& tell = known_.value(file).exists ? changed : vanished;
-    if (tell) tell(file);
+    if (known_.value(file).exists)
+      emit changed(file);
+    else
+      emit vanished(file);
     if (!known_.contains(file)) return;  // by now others are watched
   }
 }
