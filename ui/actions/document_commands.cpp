@@ -78,7 +78,7 @@ void DocumentControl::moved_from(const Pose& before, const QString& what, bool m
 void DocumentControl::set_coupling(const Coupling& coupling) {
   if (document_.empty()) return;
   document_.set_coupling(coupling);
-  tell();
+  emit changed();
 }
 
 void DocumentControl::set_device_settings(const DeviceSettings& settings) {
@@ -282,7 +282,7 @@ void DocumentControl::apply(const Content& from, const Content& to) {
     view_.show_parts(looks);
   session->set_start(relative_pose(to.scene));
   if (!same(from.here, to.here) && !same(session->device_pose(), to.here)) view_.place(to.here);
-  tell();
+  emit changed();
 }
 
 void DocumentControl::show_bodies(const Content& wanted) {
@@ -297,7 +297,7 @@ void DocumentControl::show_bodies(const Content& wanted) {
     view_.session()->set_start(relative_pose(content.scene));
     if (!same(view_.session()->device_pose(), content.here)) view_.place(content.here);
     watch();
-    tell();
+    emit changed();
   };
   if (ready_) return show(std::move(*ready_), wanted.bodies);
   const auto given_up = [this] {

@@ -36,7 +36,7 @@ DocumentControl::DocumentControl(Opener& opener, Prompts& prompts, DocumentView 
   connect(&document_.stack(), &QUndoStack::indexChanged, this, [this](int index) {
     // While a command is done or undone the index is still that of before.
     if (!document_.empty() && document_.content().bodies == on_show_) index_on_show_ = index;
-    tell();
+    emit changed();
   });
   connect(&watch_, &FileWatch::changed, this, &DocumentControl::file_changed);
   connect(&watch_, &FileWatch::vanished, this, &DocumentControl::file_vanished);
@@ -46,10 +46,6 @@ DocumentControl::DocumentControl(Opener& opener, Prompts& prompts, DocumentView 
 
 void DocumentControl::file_vanished(const QString& file) {
   view_.say(QStringLiteral("%1 is no longer on the disk. What is open stays.").arg(file));
-}
-
-void DocumentControl::tell() const {
-  if (changed) changed();
 }
 
 void DocumentControl::open(const QStringList& files, std::optional<double> unit) {
@@ -107,7 +103,7 @@ void DocumentControl::start_anew() {
   on_show_.reset();
   document_.close();
   view_.empty();
-  tell();
+  emit changed();
 }
 
 bool DocumentControl::save() {
@@ -145,8 +141,8 @@ bool DocumentControl::write(const std::filesystem::path& file) {
     prompts_.report_error(QString::fromUtf8(bad.what()));
   }
   watch();
-  tell();
-  if (written && saved) saved(document_.content().scene);
+  emit changed();
+  if (written) emit saved(document_.content().scene);
   return written;
 }
 
@@ -177,7 +173,7 @@ void DocumentControl::opened(const Session& session) {
                       ? QStringList{text_of(scene.probe.mesh), text_of(scene.fixed.mesh)}
                       : QStringList{text_of(scene.file)});
   watch();
-  tell();
+  emit changed();
 }
 
 // ---- Files that others change
@@ -224,7 +220,7 @@ void DocumentControl::reload(const QString& file, const QString& what,
         kept_.clear();
         keep_for_recovery();
         view_.say(QStringLiteral("Read again from the disk"));
-        tell();
+        emit changed();
       },
       [this] { reading_scene_ = false; });
 }
@@ -293,7 +289,7 @@ void DocumentControl::recover(const std::filesystem::path& file) {
           kept_ = text_for_recovery();
           Recovery::remove(file);
         }
-        tell();
+        emit changed();
       },
       {});
 }

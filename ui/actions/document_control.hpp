@@ -38,6 +38,7 @@ struct DocumentView {
 /// Everything about the document as a whole: opening, saving, leaving, recovering, following
 /// changes on disk; and the commands that change it (document_commands.cpp).
 class DocumentControl : public QObject {
+  Q_OBJECT
  public:
   DocumentControl(Opener& opener, Prompts& prompts, DocumentView view);
 
@@ -91,9 +92,10 @@ class DocumentControl : public QObject {
   void set_part_shown(std::size_t part, bool shown);
   void set_part_felt(std::size_t part, bool felt);
 
+ signals:
   /// The title, the recent files or what can be done has changed.
-  std::function<void()> changed;
-  std::function<void(const Scene&)> saved;  ///< as it is in its file now
+  void changed();
+  void saved(const Scene&);  ///< as it is in its file now
 
  private:
   Content now() const;
@@ -117,7 +119,6 @@ class DocumentControl : public QObject {
   Recovered for_recovery() const;
   std::string text_for_recovery() const;  ///< changes with whatever is kept
   QStringList files() const;
-  void tell() const;
 
   Opener& opener_;
   Prompts& prompts_;

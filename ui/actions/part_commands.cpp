@@ -138,7 +138,7 @@ void DocumentControl::rename_part(std::size_t part, const QString& name) {
   if (wanted.empty() || taken) {
     view_.say(taken ? QStringLiteral("There is a part named “%1” already.").arg(name)
                     : QStringLiteral("A part has a name."));
-    return tell();
+    return changed();
   }
   change_parts(QStringLiteral("Rename to %1").arg(name),
                [&](SceneBody& fixed) { fixed.parts[part].name = wanted; });
@@ -162,7 +162,7 @@ void DocumentControl::set_part_felt(std::size_t part, bool felt) {
   if (document_.empty() || part >= parts.size() || parts[part].felt == felt) return;
   if (!felt && std::ranges::count(parts, true, &SceneBody::felt) == 1) {
     view_.say(QStringLiteral("At least one part is felt."));
-    return tell();
+    return changed();
   }
   change_parts(felt ? QStringLiteral("Feel a part") : QStringLiteral("Leave a part unfelt"),
                [&](SceneBody& fixed) { fixed.parts[part].felt = felt; });

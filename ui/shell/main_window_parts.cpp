@@ -247,8 +247,8 @@ DocumentView MainWindow::document_view() {
 
 void MainWindow::connect_documents() {
   DocumentControl* documents = documents_.get();
-  documents->changed = [this] { show_document(); };
-  documents->saved = [this](const Scene& scene) { stiffness_->saved(scene); };
+  connect(documents, &DocumentControl::changed, this, &MainWindow::show_document);
+  connect(documents, &DocumentControl::saved, stiffness_, &StiffnessControl::saved);
   connect(pose_panel_, &PosePanel::placed, documents, [documents](const Pose& pose) {
     documents->place(pose, QStringLiteral("Place the probe"));
   });
