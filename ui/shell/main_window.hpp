@@ -129,6 +129,7 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
+  void connect_opener();
   void connect_coupling();
   void connect_devices();
   void connect_measuring();

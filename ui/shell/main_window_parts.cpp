@@ -96,14 +96,7 @@ MainWindow::MainWindow(QWidget* parent)
   connect(stiffness_, &StiffnessControl::ticked, this, &MainWindow::keep_tick);
   connect(stiffness_, &StiffnessControl::say, this, &MainWindow::tell_longer);
   connect(stiffness_, &StiffnessControl::failed, log_, &LogPanel::add);
-  opener_->ready = [this](DrawnSession drawn) { show_session(std::move(drawn)); };
-  opener_->say = [this](const QString& what) { statusBar()->showMessage(what, 4000); };
-  opener_->failed = [this](const QString& reason) {
-    log_->add(reason);
-    emit open_failed(reason);
-  };
-  // Nothing is being opened any more.
-  connect(this, &MainWindow::open_failed, statusBar(), &QStatusBar::clearMessage);
+  connect_opener();
   connect(&frame_timer_, &QTimer::timeout, this, &MainWindow::on_frame);
   frame_timer_.setTimerType(Qt::PreciseTimer);
   frame_timer_.start(frame_ms);
@@ -147,6 +140,17 @@ void MainWindow::connect_coupling() {
 
 void MainWindow::set_coupling(const Coupling& coupling) {
   if (session()) session()->set_coupling(coupling);
+}
+
+void MainWindow::connect_opener() {
+  Opener* opener = opener_.get();
+  connect(opener, &Opener::ready, this,
+          [this](DrawnSession& drawn) { show_session(std::move(drawn)); });
+  connect(opener, &Opener::say, this, &MainWindow::tell);
+  connect(opener, &Opener::failed, log_, &LogPanel::add);
+  connect(opener, &Opener::failed, this, &MainWindow::open_failed);
+  // Nothing is being opened any more.
+  connect(this, &MainWindow::open_failed, statusBar(), &QStatusBar::clearMessage);
 }
 
 void MainWindow::connect_devices() {
