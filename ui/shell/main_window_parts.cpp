@@ -225,8 +225,8 @@ void MainWindow::connect_export() {
   exporter_->instant = [this] { return instant_ ? &*instant_ : nullptr; };
   exporter_->ticks = [this] { return history_->ticks_on_show(); };
   exporter_->ask_replace = [this](const QString& file) { return prompts_.ask_replace(file); };
-  exporter_->say = [this](const QString& what) { statusBar()->showMessage(what, 4000); };
-  exporter_->fail = [this](const QString& reason) { complain(reason); };
+  connect(exporter_, &ExportControl::say, this, &MainWindow::tell);
+  connect(exporter_, &ExportControl::failed, this, &MainWindow::complain);
 }
 
 DocumentView MainWindow::document_view() {
