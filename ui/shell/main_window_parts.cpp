@@ -180,14 +180,14 @@ void MainWindow::connect_measuring() {
 }
 
 void MainWindow::add_history() {
-  history_ = new HistoryControl(
-      *opener_, prompts_, *this,
-      {.session = [this] { return session(); },
-       .scene = [this] { return documents_->document().content().scene; },
-       .may_leave = [this] { return documents_->may_leave(); },
-       .show = [this](DrawnSession drawn) { show_session(std::move(drawn)); },
-       .pause = [this](bool on) { pause(on); },
-       .say = [this](const QString& what) { statusBar()->showMessage(what, 4000); }});
+  history_ = new HistoryControl(*opener_, prompts_, *this,
+                                {.session = [this] { return session(); },
+                                 .scene = [this] { return documents_->document().content().scene; },
+                                 .may_leave = [this] { return documents_->may_leave(); }});
+  connect(history_, &HistoryControl::show_wanted, this,
+          [this](DrawnSession& drawn) { show_session(std::move(drawn)); });
+  connect(history_, &HistoryControl::pause_wanted, this, &MainWindow::pause);
+  connect(history_, &HistoryControl::say, this, &MainWindow::tell);
   // Above the timeline, which keeps the whole width.
   splitDockWidget(log_, &history_->timeline(), Qt::Vertical);
   splitDockWidget(log_, &history_->plots(), Qt::Horizontal);
