@@ -108,12 +108,10 @@ struct WayInControl::MapWork {
   }
 };
 
-WayInControl::WayInControl(Viewport& viewport, QMainWindow& window, QDockWidget& beside,
-                           Window hooks)
+WayInControl::WayInControl(Viewport& viewport, QMainWindow& window, QDockWidget& beside)
     : QObject(&window),
       viewport_(viewport),
       panel_(new WayInPanel(&window)),
-      window_(std::move(hooks)),
       job_(&window),
       map_job_(&window),
       flight_(viewport, this) {
@@ -221,7 +219,7 @@ void WayInControl::to_map_place(const MapPlace& place) {
   const double free = map_.free[place.offset * map_.at.tilts + place.tilt];
   const InsertionWay way = moved(map_way_, session_->loaded().pair, map_.at, offset, tilt);
   sent_.reset();
-  window_.place(way.poses.front());
+  emit place_wanted(way.poses.front());
   const LengthUnit unit(session_->probe().mass.radius);
   const QString how = free < 0              ? QStringLiteral("overlaps where it begins")
                       : free >= map_.wanted ? QStringLiteral("goes in")
@@ -273,7 +271,7 @@ void WayInControl::go_to(double travel, double seconds) {
   pace_ = way_.travel.back() * step_ms / (1000 * seconds);
   if (!sent_ || !same(session_->device_pose(), *sent_)) {
     at_ = 0;
-    window_.place(pose_at(way_, session_->loaded().pair, at_));
+    emit place_wanted(pose_at(way_, session_->loaded().pair, at_));
   }
   steps_.start();
   step_on();
@@ -295,7 +293,7 @@ void WayInControl::play(bool on) {
 
 void WayInControl::step_on() {
   at_ += std::clamp(goal_ - at_, -pace_, pace_);
-  window_.follow(pose_at(way_, session_->loaded().pair, at_));
+  emit follow_wanted(pose_at(way_, session_->loaded().pair, at_));
   sent_ = session_->device_pose();
   panel_->show_at(at_, words_at(at_));
   if (at_ != goal_) return;

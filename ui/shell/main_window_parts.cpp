@@ -196,12 +196,10 @@ void MainWindow::add_history() {
 void MainWindow::add_assembly() {
   parts_ = new PartsControl(*viewport_, *documents_, prompts_, *this, *coupling_panel_);
   connect(seeing_, &SeeingControl::clicked, parts_, &PartsControl::click);
-  const auto place_for_way = [this](const Pose& pose) {
-    documents_->place(pose, QStringLiteral("Way in"), true);
-  };
-  way_in_ = new WayInControl(
-      *viewport_, *this, *coupling_panel_,
-      {.follow = [this](const Pose& pose) { set_device_pose(pose); }, .place = place_for_way});
+  way_in_ = new WayInControl(*viewport_, *this, *coupling_panel_);
+  connect(way_in_, &WayInControl::follow_wanted, this, &MainWindow::set_device_pose);
+  connect(way_in_, &WayInControl::place_wanted, documents_.get(),
+          [this](const Pose& X_FM) { documents_->place(X_FM, QStringLiteral("Way in"), true); });
   snap_ = new SnapControl(*viewport_, *documents_, *pose_panel_, this);
   seeing_->click_wanted = [this](QPointF at) { return way_in_->click(at) || snap_->click(at); };
   clash_ = new ClashControl(*viewport_, *this, *coupling_panel_);
