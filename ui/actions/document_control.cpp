@@ -45,7 +45,7 @@ DocumentControl::DocumentControl(Opener& opener, Prompts& prompts, DocumentView 
 }
 
 void DocumentControl::file_vanished(const QString& file) {
-  view_.say(QStringLiteral("%1 is no longer on the disk. What is open stays.").arg(file));
+  emit say(QStringLiteral("%1 is no longer on the disk. What is open stays.").arg(file));
 }
 
 void DocumentControl::open(const QStringList& files, std::optional<double> unit) {
@@ -102,7 +102,7 @@ void DocumentControl::start_anew() {
   kept_.clear();
   on_show_.reset();
   document_.close();
-  view_.empty();
+  emit emptied();
   emit changed();
 }
 
@@ -134,7 +134,7 @@ bool DocumentControl::write(const std::filesystem::path& file) {
     written = true;
     remember_recent({text_of(file)});
     agree_to_paths(file, paths_to_ask_for(file));  // the user's own
-    view_.say(QStringLiteral("Saved %1").arg(text_of(file)));
+    emit say(QStringLiteral("Saved %1").arg(text_of(file)));
     recovery_.clear();
     kept_ = text_for_recovery();
   } catch (const std::exception& bad) {
@@ -211,15 +211,15 @@ void DocumentControl::reload(const QString& file, const QString& what,
         if (document_.text() != before) return file_changed(file);
         const CameraPlace camera = view_.camera();
         const Pose stays = here();
-        view_.show(std::move(drawn), false);
-        view_.look(camera);
-        view_.place(stays);
+        emit show_wanted(drawn, false);
+        emit look_wanted(camera);
+        emit place_wanted(stays);
         document_.set_here(stays);
         // A mesh that was read again leaves the scene as it was, saved or not.
         if (was_modified && document_.text() == before) document_.set_saved_text(saved);
         kept_.clear();
         keep_for_recovery();
-        view_.say(QStringLiteral("Read again from the disk"));
+        emit say(QStringLiteral("Read again from the disk"));
         emit changed();
       },
       [this] { reading_scene_ = false; });
@@ -280,9 +280,9 @@ void DocumentControl::recover(const std::filesystem::path& file) {
         return opened;
       },
       [this, found, file](DrawnSession drawn) {
-        view_.show(std::move(drawn), false);
+        emit show_wanted(drawn, false);
         document_.set_saved_text(found.saved_text);
-        if (found.camera) view_.look(*found.camera);
+        if (found.camera) emit look_wanted(*found.camera);
         // The other goes only once this one is there.
         kept_.clear();
         if (recovery_.keep_now(for_recovery())) {

@@ -151,6 +151,7 @@ class MainWindow : public QMainWindow {
   void show_session(DrawnSession drawn, bool same_document = false);
   void show_nothing();
   void show_document();
+  void show_parts(const std::vector<PartLook>& looks);
   void show_holder();
   void suit_gains();
   void on_frame();

@@ -228,27 +228,28 @@ void MainWindow::connect_export() {
 }
 
 DocumentView MainWindow::document_view() {
-  return {.session = [this] { return session(); },
-          .show = [this](DrawnSession drawn, bool same) { show_session(std::move(drawn), same); },
-          .empty = [this] { show_nothing(); },
-          .place = [this](const Pose& pose) { place(pose); },
-          .show_coupling = [this](const Coupling& gains) { coupling_panel_->apply(gains); },
-          .show_device_settings =
-              [this](const DeviceSettings& settings) { devices_->set_settings(settings); },
-          .camera = [this] { return viewport_->place(); },
-          .look = [this](const CameraPlace& place) { viewport_->look(place); },
-          .show_parts =
-              [this](const std::vector<PartLook>& looks) {
-                const auto surface = viewport_->show_parts(looks);
-                if (!surface) return;
-                drawn_.bodies.fixed_surface = surface;
-                drawn_.bodies.part_looks = looks;
-              },
-          .say = [this](const QString& what) { statusBar()->showMessage(what, 4000); }};
+  return {.session = [this] { return session(); }, .camera = [this] { return viewport_->place(); }};
+}
+
+void MainWindow::show_parts(const std::vector<PartLook>& looks) {
+  const auto surface = viewport_->show_parts(looks);
+  if (!surface) return;
+  drawn_.bodies.fixed_surface = surface;
+  drawn_.bodies.part_looks = looks;
 }
 
 void MainWindow::connect_documents() {
   DocumentControl* documents = documents_.get();
+  connect(documents, &DocumentControl::show_wanted, this,
+          [this](DrawnSession& drawn, bool same) { show_session(std::move(drawn), same); });
+  connect(documents, &DocumentControl::emptied, this, &MainWindow::show_nothing);
+  connect(documents, &DocumentControl::place_wanted, this, &MainWindow::place);
+  connect(documents, &DocumentControl::coupling_changed, coupling_panel_, &CouplingPanel::apply);
+  connect(documents, &DocumentControl::device_settings_changed, devices_.get(),
+          &DeviceControl::set_settings);
+  connect(documents, &DocumentControl::look_wanted, viewport_, &Viewport::look);
+  connect(documents, &DocumentControl::parts_changed, this, &MainWindow::show_parts);
+  connect(documents, &DocumentControl::say, this, &MainWindow::tell);
   connect(documents, &DocumentControl::changed, this, &MainWindow::show_document);
   connect(documents, &DocumentControl::saved, stiffness_, &StiffnessControl::saved);
   connect(pose_panel_, &PosePanel::placed, documents, [documents](const Pose& pose) {
