@@ -40,7 +40,7 @@ DocumentControl::DocumentControl(Opener& opener, Prompts& prompts, DocumentView 
   });
   connect(&watch_, &FileWatch::changed, this, &DocumentControl::file_changed);
   connect(&watch_, &FileWatch::vanished, this, &DocumentControl::file_vanished);
-  connect(&recovery_timer_, &QTimer::timeout, this, [this] { keep_for_recovery(); });
+  connect(&recovery_timer_, &QTimer::timeout, this, &DocumentControl::keep_for_recovery);
   recovery_timer_.start(recovery_ms);
 }
 

@@ -46,7 +46,7 @@ ExportControl::ExportControl(Viewport& viewport, QWidget& window)
     if (!file.isEmpty()) remember_folder_of(file);
     return file;
   };
-  connect(&timer_, &QTimer::timeout, this, [this] { draw_next(); });
+  connect(&timer_, &QTimer::timeout, this, &ExportControl::draw_next);
 }
 
 ExportControl::~ExportControl() = default;

@@ -71,7 +71,7 @@ HistoryControl::HistoryControl(Opener& opener, Prompts& prompts, QWidget& window
           [this](double speed) { playback_.set_speed(speed); });
   connect(timeline_, &TimelinePanel::live_wanted, this, &HistoryControl::go_live);
   connect(plots_, &PlotsPanel::sought, this, &HistoryControl::look_at);
-  connect(&ending_timer_, &QTimer::timeout, this, [this] { report_ended(); });
+  connect(&ending_timer_, &QTimer::timeout, this, &HistoryControl::report_ended);
 }
 
 HistoryControl::~HistoryControl() = default;

@@ -41,7 +41,7 @@ MeasureControl::MeasureControl(DeviceControl& devices,
       window_(window),
       job_(&window) {
   job_.stay_back();
-  connect(&timer_, &QTimer::timeout, this, [this] { look(); });
+  connect(&timer_, &QTimer::timeout, this, &MeasureControl::look);
 }
 
 void MeasureControl::ask() {

@@ -91,7 +91,7 @@ QDoubleSpinBox* MeasureDialog::limit(const char* name, const char* object, const
   box->setDecimals(decimals);
   box->setSuffix(QString::fromUtf8(suffix));
   form_->addRow(QString::fromUtf8(name), box);
-  connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this] { describe(); });
+  connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &MeasureDialog::describe);
   return box;
 }
 

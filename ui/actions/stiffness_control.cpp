@@ -54,7 +54,7 @@ StiffnessControl::StiffnessControl(std::vector<std::filesystem::path> profile_fo
   connect(panel_, &StiffnessPanel::apply_asked, this, &StiffnessControl::apply_recommended);
   connect(panel_, &StiffnessPanel::switch_asked, this, &StiffnessControl::switch_gains);
   keep_timer_.setSingleShot(true);
-  connect(&keep_timer_, &QTimer::timeout, this, [this] { write_gains(); });
+  connect(&keep_timer_, &QTimer::timeout, this, &StiffnessControl::write_gains);
   show_gains(coupling_.coupling());
 }
 

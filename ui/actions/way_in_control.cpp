@@ -129,7 +129,7 @@ WayInControl::WayInControl(Viewport& viewport, QMainWindow& window, QDockWidget&
   connect(&job_, &Job::progressed, panel_, &WayInPanel::show_progress);
   connect(&map_job_, &Job::progressed, panel_, &WayInPanel::show_map_progress);
   steps_.setInterval(step_ms);
-  connect(&steps_, &QTimer::timeout, this, [this] { step_on(); });
+  connect(&steps_, &QTimer::timeout, this, &WayInControl::step_on);
 }
 
 void WayInControl::attach(Session* session, bool same_document) {

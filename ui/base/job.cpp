@@ -44,7 +44,7 @@ struct Job::Task {
 };
 
 Job::Job(QWidget* window) : window_(window) {
-  connect(&timer_, &QTimer::timeout, this, [this] { poll(); });
+  connect(&timer_, &QTimer::timeout, this, &Job::poll);
 }
 
 Job::~Job() { abandon(); }
@@ -57,7 +57,7 @@ void Job::start(const QString& what, std::function<void(const Progress&)> work,
   done_ = std::move(done);
   if (!stays_back_) {
     dialog_ = new ProgressDialog(what, window_);
-    connect(dialog_, &QDialog::rejected, this, [this] { cancel(); });
+    connect(dialog_, &QDialog::rejected, this, &Job::cancel);
   }
   Task* shared = task.get();  // outlives the thread: its destructor joins
   task->thread = std::thread([shared, stays_back = stays_back_, work = std::move(work)] {

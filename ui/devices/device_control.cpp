@@ -27,7 +27,7 @@ DeviceControl::DeviceControl(std::filesystem::path settings_folder,
       continue;
     }
   keep_timer_.setSingleShot(true);
-  connect(&keep_timer_, &QTimer::timeout, this, [this] { keep_settings(); });
+  connect(&keep_timer_, &QTimer::timeout, this, &DeviceControl::keep_settings);
   clock_.start();
 }
 

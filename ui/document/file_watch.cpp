@@ -12,7 +12,7 @@ constexpr int rest_ms = 300;  // for so long a file must not change before it is
 
 FileWatch::FileWatch() {
   connect(&watcher_, &QFileSystemWatcher::fileChanged, this, [this] { timer_.start(rest_ms); });
-  connect(&timer_, &QTimer::timeout, this, [this] { look(); });
+  connect(&timer_, &QTimer::timeout, this, &FileWatch::look);
 }
 
 void FileWatch::watch(const QStringList& files) {

@@ -57,7 +57,7 @@ ContactsPanel::ContactsPanel(QWidget* parent)
   layout->addWidget(rows_);
   layout->addWidget(summary_);
   setWidget(content);
-  connect(rows_, &QTreeWidget::itemSelectionChanged, this, [this] { on_selection(); });
+  connect(rows_, &QTreeWidget::itemSelectionChanged, this, &ContactsPanel::on_selection);
 }
 
 void ContactsPanel::take(const Pair& pair) {

@@ -160,9 +160,9 @@ void PosePanel::build_nudge(QWidget& content, QVBoxLayout& layout) {
   grid->addWidget(step_turn_, 2, 1);
   layout.addWidget(group);
   connect(nudge_axes_, qOverload<int>(&QComboBox::currentIndexChanged), this,
-          [this] { take_nudge(); });
+          &PosePanel::take_nudge);
   for (QLineEdit* field : {step_, step_turn_})
-    connect(field, &QLineEdit::editingFinished, this, [this] { take_nudge(); });
+    connect(field, &QLineEdit::editingFinished, this, &PosePanel::take_nudge);
   show_nudge();
 }
 

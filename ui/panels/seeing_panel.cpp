@@ -54,7 +54,7 @@ void SeeingPanel::add_looks(QVBoxLayout& layout) {
     box->addItems({QStringLiteral("opaque"), QStringLiteral("x-ray"), QStringLiteral("wireframe"),
                    QStringLiteral("hidden")});
     form->addRow(QString::fromUtf8(text), box);
-    connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { say(); });
+    connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, &SeeingPanel::say);
     return box;
   };
   fixed_ = add("Fixed body", "fixed_look");
@@ -68,7 +68,7 @@ void SeeingPanel::add_cut(QVBoxLayout& layout) {
   const auto check = [&](const char* text, const char* object) {
     auto* box = new QCheckBox(QString::fromUtf8(text), group);
     box->setObjectName(QLatin1String(object));
-    connect(box, &QCheckBox::toggled, this, [this] { say(); });
+    connect(box, &QCheckBox::toggled, this, &SeeingPanel::say);
     return box;
   };
   cut_ = check("Cut", "cut_on");
@@ -108,7 +108,7 @@ void SeeingPanel::add_cut(QVBoxLayout& layout) {
   place_->setObjectName(QStringLiteral("cut_place"));
   place_->setRange(-slider_end, slider_end);
   place_->setToolTip(QStringLiteral("Along its normal; in the view, drag the arrow"));
-  connect(place_, &QSlider::valueChanged, this, [this](int place) { move_cut(place); });
+  connect(place_, &QSlider::valueChanged, this, &SeeingPanel::move_cut);
   grid->addWidget(place_, 3, 0, 1, 3);
 }
 

@@ -178,7 +178,7 @@ void StiffnessPanel::build_map(QVBoxLayout& layout) {
   row->addWidget(shown_kinds_);
   box->addLayout(row);
   for (QComboBox* list : {axes_, shown_kinds_})
-    connect(list, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { show_map(); });
+    connect(list, qOverload<int>(&QComboBox::currentIndexChanged), this, &StiffnessPanel::show_map);
   plot_ = new MapPlot(map_box_);
   connect(plot_, &MapPlot::asked, this, [this](const MapPoint& point) {
     emit gains_asked(axis(), point.stiffness, point.damping);
@@ -189,7 +189,7 @@ void StiffnessPanel::build_map(QVBoxLayout& layout) {
   of_device_ = button(QStringLiteral("The device alone…"), "device_curves",
                       QStringLiteral("How stiff and damped its walls may be, what limits them, the "
                                      "impedance that is rendered, and how hard a wall feels."));
-  connect(of_device_, &QPushButton::clicked, this, [this] { show_curves(); });
+  connect(of_device_, &QPushButton::clicked, this, &StiffnessPanel::show_curves);
   box->addWidget(of_device_);
   layout.addWidget(map_box_);
 }

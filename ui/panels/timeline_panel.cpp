@@ -43,7 +43,7 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QDockWidget(QStringLiteral("Time
   track_->setObjectName(QStringLiteral("timeline"));
   track_->setRange(0, places);
   track_->setToolTip(QStringLiteral("Looks back: the picture and the numbers show that moment"));
-  connect(track_, &QSlider::valueChanged, this, [this](int place) { seek_to(place); });
+  connect(track_, &QSlider::valueChanged, this, &TimelinePanel::seek_to);
   track_->setMinimumWidth(120);
   record_ = button(*row, "record_button", QStringLiteral("● Record"),
                    QStringLiteral("Writes the kept minutes and everything that follows"));

@@ -52,7 +52,7 @@ double lit_share(const QImage& picture) {
 Demo::Demo(MainWindow& window, std::string picture)
     : window_(window), picture_(std::move(picture)), job_(&window) {
   timer_.setTimerType(Qt::PreciseTimer);
-  connect(&timer_, &QTimer::timeout, this, [this] { step(); });
+  connect(&timer_, &QTimer::timeout, this, &Demo::step);
 }
 
 void Demo::play() {
