@@ -6,6 +6,7 @@
 #include "engine/settings/settings.hpp"
 #include "engine/study/stability/press_and_hold.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
+#include "ui/base/format.hpp"
 #include "ui/document/kept_gains.hpp"
 #include "ui/document/session.hpp"
 #include "ui/panels/coupling_panel.hpp"
