@@ -35,10 +35,12 @@ AccuracyControl::AccuracyControl(DocumentControl& documents, QMainWindow& window
                                  QDockWidget& beside)
     : QObject(&window), documents_(documents), panel_(new AccuracyPanel(&window)) {
   window.addDockWidget(window.dockWidgetArea(&beside), panel_);
-  panel_->kind_chosen = [this](AccuracyPanel::Knob kind) { choose(kind); };
-  panel_->time_changed = [this](double time_us) { change(time_us, 0); };
-  panel_->accuracy_changed = [this](double share) { change(0, share); };
-  panel_->sure_changed = [this](double share) { be_sure(share); };
+  connect(panel_, &AccuracyPanel::kind_chosen, this, &AccuracyControl::choose);
+  connect(panel_, &AccuracyPanel::time_changed, this,
+          [this](double time_us) { change(time_us, 0); });
+  connect(panel_, &AccuracyPanel::accuracy_changed, this,
+          [this](double share) { change(0, share); });
+  connect(panel_, &AccuracyPanel::sure_changed, this, &AccuracyControl::be_sure);
   // What changed while nobody saw it.
   connect(panel_, &QDockWidget::visibilityChanged, this, [this](bool visible) {
     reached_.clear();

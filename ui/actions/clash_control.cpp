@@ -39,10 +39,11 @@ ClashControl::ClashControl(Viewport& viewport, QMainWindow& window, QDockWidget&
       job_(&window),
       flight_(viewport, this) {
   window.addDockWidget(window.dockWidgetArea(&beside), panel_);
-  panel_->find_wanted = [this] { find(); };
-  panel_->stop_wanted = [this] { job_.cancel(); };
-  panel_->chosen = [this](std::size_t clash) { show(clash); };
-  job_.watched = [this](double fraction) { panel_->show_progress(fraction); };
+  connect(panel_, &ClashPanel::find_wanted, this, &ClashControl::find);
+  connect(panel_, &ClashPanel::stop_wanted, &job_, &Job::cancel);
+  connect(panel_, &ClashPanel::chosen, this, &ClashControl::show);
+  job_.stay_back();
+  connect(&job_, &Job::progressed, panel_, &ClashPanel::show_progress);
 }
 
 void ClashControl::attach(Session* session, bool same_document) {

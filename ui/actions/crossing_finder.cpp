@@ -54,15 +54,14 @@ void CrossingFinder::begin() {
       [this, found](const std::exception_ptr& error) {
         if (error) {
           const QString reason = reason_of(error);
-          if (!reason.isEmpty() && say) say(reason);
-          if (given_up) given_up();
+          if (!reason.isEmpty()) emit say(reason);
+          emit given_up();
           return;
         }
         known_ = true;
         viewport_.set_crossings(found->probe.triangles, found->fixed.triangles);
-        if (say)
-          say(QStringLiteral("Self-intersections – %1, %2")
-                  .arg(text_of("probe", found->probe), text_of("fixed body", found->fixed)));
+        emit say(QStringLiteral("Self-intersections – %1, %2")
+                     .arg(text_of("probe", found->probe), text_of("fixed body", found->fixed)));
       });
 }
 

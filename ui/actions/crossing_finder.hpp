@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QObject>
 #include <QString>
-#include <functional>
 
 #include "ui/base/job.hpp"
 
@@ -13,7 +13,8 @@ class Viewport;
 
 /// Looks for the triangles of each body that go through others of it, once for a pair of bodies, in
 /// a worker with progress that can be cancelled; and shows them.
-class CrossingFinder {
+class CrossingFinder : public QObject {
+  Q_OBJECT
  public:
   CrossingFinder(Viewport& viewport, QWidget& window);
 
@@ -21,10 +22,11 @@ class CrossingFinder {
   /// Other bodies from now on; null: none.
   void attach(const Session* session);
 
+ signals:
   /// What was found, or that it was given up.
-  std::function<void(const QString&)> say;
+  void say(const QString& what);
   /// It was given up, or has failed: nothing is shown.
-  std::function<void()> given_up;
+  void given_up();
 
  private:
   void begin();

@@ -78,12 +78,12 @@ void DocumentControl::moved_from(const Pose& before, const QString& what, bool m
 void DocumentControl::set_coupling(const Coupling& coupling) {
   if (document_.empty()) return;
   document_.set_coupling(coupling);
-  tell();
+  emit changed();
 }
 
 void DocumentControl::set_device_settings(const DeviceSettings& settings) {
   if (document_.empty() || !document_.content().scene.device.settings)
-    return view_.show_device_settings(settings);  // the device's own, kept with it
+    return emit device_settings_changed(settings);  // the device's own, kept with it
   Content wanted = now();
   wanted.scene.device.settings = settings;
   // What a device wants of the loop, a scene says for itself.
@@ -272,17 +272,18 @@ void DocumentControl::apply(const Content& from, const Content& to) {
     opener_.abandon();  // of what was gone back from before it was on show
   Session* session = view_.session();
   if (!session) return;
-  if (!same(from.scene.coupling, to.scene.coupling)) view_.show_coupling(to.scene.coupling);
+  if (!same(from.scene.coupling, to.scene.coupling)) emit coupling_changed(to.scene.coupling);
   if (!same(from.scene.device.settings, to.scene.device.settings) && to.scene.device.settings)
-    view_.show_device_settings(*to.scene.device.settings);
+    emit device_settings_changed(*to.scene.device.settings);
   if (from.scene.servo.budget.microseconds != to.scene.servo.budget.microseconds ||
       from.scene.servo.accuracy != to.scene.servo.accuracy)
     session->set_knob(to.scene.servo);
   if (const auto looks = looks_of(to.scene.fixed); looks != looks_of(from.scene.fixed))
-    view_.show_parts(looks);
+    emit parts_changed(looks);
   session->set_start(relative_pose(to.scene));
-  if (!same(from.here, to.here) && !same(session->device_pose(), to.here)) view_.place(to.here);
-  tell();
+  if (!same(from.here, to.here) && !same(session->device_pose(), to.here))
+    emit place_wanted(to.here);
+  emit changed();
 }
 
 void DocumentControl::show_bodies(const Content& wanted) {
@@ -290,14 +291,14 @@ void DocumentControl::show_bodies(const Content& wanted) {
     on_show_ = bodies;
     index_on_show_ = document_.stack().index();
     showing_ = false;
-    view_.show(std::move(drawn), true);
+    emit show_wanted(drawn, true);
     // The session took its time: more may have been done or undone meanwhile.
     const Content& content = document_.content();
-    if (!content.bodies->parts.empty()) view_.show_parts(looks_of(content.scene.fixed));
+    if (!content.bodies->parts.empty()) emit parts_changed(looks_of(content.scene.fixed));
     view_.session()->set_start(relative_pose(content.scene));
-    if (!same(view_.session()->device_pose(), content.here)) view_.place(content.here);
+    if (!same(view_.session()->device_pose(), content.here)) emit place_wanted(content.here);
     watch();
-    tell();
+    emit changed();
   };
   if (ready_) return show(std::move(*ready_), wanted.bodies);
   const auto given_up = [this] {

@@ -32,22 +32,20 @@ QString text_of(const std::filesystem::path& path) { return QString::fromStdStri
 
 DocumentControl::DocumentControl(Opener& opener, Prompts& prompts, DocumentView view)
     : opener_(opener), prompts_(prompts), view_(std::move(view)), recovery_(recovery_folder()) {
-  document_.changed = [this](const Content& from, const Content& to) { apply(from, to); };
+  connect(&document_, &Document::changed, this, &DocumentControl::apply);
   connect(&document_.stack(), &QUndoStack::indexChanged, this, [this](int index) {
     // While a command is done or undone the index is still that of before.
     if (!document_.empty() && document_.content().bodies == on_show_) index_on_show_ = index;
-    tell();
+    emit changed();
   });
-  watch_.changed = [this](const QString& file) { file_changed(file); };
-  watch_.vanished = [this](const QString& file) {
-    view_.say(QStringLiteral("%1 is no longer on the disk. What is open stays.").arg(file));
-  };
-  connect(&recovery_timer_, &QTimer::timeout, this, [this] { keep_for_recovery(); });
+  connect(&watch_, &FileWatch::changed, this, &DocumentControl::file_changed);
+  connect(&watch_, &FileWatch::vanished, this, &DocumentControl::file_vanished);
+  connect(&recovery_timer_, &QTimer::timeout, this, &DocumentControl::keep_for_recovery);
   recovery_timer_.start(recovery_ms);
 }
 
-void DocumentControl::tell() const {
-  if (changed) changed();
+void DocumentControl::file_vanished(const QString& file) {
+  emit say(QStringLiteral("%1 is no longer on the disk. What is open stays.").arg(file));
 }
 
 void DocumentControl::open(const QStringList& files, std::optional<double> unit) {
@@ -104,8 +102,8 @@ void DocumentControl::start_anew() {
   kept_.clear();
   on_show_.reset();
   document_.close();
-  view_.empty();
-  tell();
+  emit emptied();
+  emit changed();
 }
 
 bool DocumentControl::save() {
@@ -136,15 +134,15 @@ bool DocumentControl::write(const std::filesystem::path& file) {
     written = true;
     remember_recent({text_of(file)});
     agree_to_paths(file, paths_to_ask_for(file));  // the user's own
-    view_.say(QStringLiteral("Saved %1").arg(text_of(file)));
+    emit say(QStringLiteral("Saved %1").arg(text_of(file)));
     recovery_.clear();
     kept_ = text_for_recovery();
   } catch (const std::exception& bad) {
     prompts_.report_error(QString::fromUtf8(bad.what()));
   }
   watch();
-  tell();
-  if (written && saved) saved(document_.content().scene);
+  emit changed();
+  if (written) emit saved(document_.content().scene);
   return written;
 }
 
@@ -175,7 +173,7 @@ void DocumentControl::opened(const Session& session) {
                       ? QStringList{text_of(scene.probe.mesh), text_of(scene.fixed.mesh)}
                       : QStringList{text_of(scene.file)});
   watch();
-  tell();
+  emit changed();
 }
 
 // ---- Files that others change
@@ -213,16 +211,16 @@ void DocumentControl::reload(const QString& file, const QString& what,
         if (document_.text() != before) return file_changed(file);
         const CameraPlace camera = view_.camera();
         const Pose stays = here();
-        view_.show(std::move(drawn), false);
-        view_.look(camera);
-        view_.place(stays);
+        emit show_wanted(drawn, false);
+        emit look_wanted(camera);
+        emit place_wanted(stays);
         document_.set_here(stays);
         // A mesh that was read again leaves the scene as it was, saved or not.
         if (was_modified && document_.text() == before) document_.set_saved_text(saved);
         kept_.clear();
         keep_for_recovery();
-        view_.say(QStringLiteral("Read again from the disk"));
-        tell();
+        emit say(QStringLiteral("Read again from the disk"));
+        emit changed();
       },
       [this] { reading_scene_ = false; });
 }
@@ -282,16 +280,16 @@ void DocumentControl::recover(const std::filesystem::path& file) {
         return opened;
       },
       [this, found, file](DrawnSession drawn) {
-        view_.show(std::move(drawn), false);
+        emit show_wanted(drawn, false);
         document_.set_saved_text(found.saved_text);
-        if (found.camera) view_.look(*found.camera);
+        if (found.camera) emit look_wanted(*found.camera);
         // The other goes only once this one is there.
         kept_.clear();
         if (recovery_.keep_now(for_recovery())) {
           kept_ = text_for_recovery();
           Recovery::remove(file);
         }
-        tell();
+        emit changed();
       },
       {});
 }

@@ -20,24 +20,16 @@ namespace sonde::ui {
 
 class Opener;
 
-/// The window's functions that the document needs.
+/// What the document asks of the window.
 struct DocumentView {
   std::function<Session*()> session;
-  std::function<void(DrawnSession, bool same_document)>
-      show;                                ///< may be called while events are handled
-  std::function<void()> empty;             ///< nothing is open any more
-  std::function<void(const Pose&)> place;  ///< the probe, at once
-  std::function<void(const Coupling&)> show_coupling;
-  std::function<void(const DeviceSettings&)> show_device_settings;
   std::function<CameraPlace()> camera;
-  std::function<void(const CameraPlace&)> look;
-  std::function<void(const std::vector<PartLook>&)> show_parts;  ///< of the fixed body
-  std::function<void(const QString&)> say;                       ///< in passing
 };
 
 /// Everything about the document as a whole: opening, saving, leaving, recovering, following
 /// changes on disk; and the commands that change it (document_commands.cpp).
 class DocumentControl : public QObject {
+  Q_OBJECT
  public:
   DocumentControl(Opener& opener, Prompts& prompts, DocumentView view);
 
@@ -91,9 +83,19 @@ class DocumentControl : public QObject {
   void set_part_shown(std::size_t part, bool shown);
   void set_part_felt(std::size_t part, bool felt);
 
+ signals:
   /// The title, the recent files or what can be done has changed.
-  std::function<void()> changed;
-  std::function<void(const Scene&)> saved;  ///< as it is in its file now
+  void changed();
+  void saved(const Scene& scene);  ///< as it is in its file now
+  /// To be taken; may come while events are handled.
+  void show_wanted(DrawnSession& drawn, bool same_document);
+  void emptied();                       ///< nothing is open any more
+  void place_wanted(const Pose& X_FM);  ///< the probe, at once
+  void coupling_changed(const Coupling& coupling);
+  void device_settings_changed(const DeviceSettings& settings);
+  void look_wanted(const CameraPlace& place);
+  void parts_changed(const std::vector<PartLook>& looks);  ///< of the fixed body
+  void say(const QString& what);                           ///< in passing
 
  private:
   Content now() const;
@@ -109,6 +111,7 @@ class DocumentControl : public QObject {
   bool write(const std::filesystem::path& file);
   void watch();
   void file_changed(const QString& file);
+  void file_vanished(const QString& file);
   void reload(const QString& file, const QString& what,
               std::function<LoadedScene(const Progress&)> open);
   void recover(const std::filesystem::path& file);
@@ -116,7 +119,6 @@ class DocumentControl : public QObject {
   Recovered for_recovery() const;
   std::string text_for_recovery() const;  ///< changes with whatever is kept
   QStringList files() const;
-  void tell() const;
 
   Opener& opener_;
   Prompts& prompts_;

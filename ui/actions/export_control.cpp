@@ -46,7 +46,7 @@ ExportControl::ExportControl(Viewport& viewport, QWidget& window)
     if (!file.isEmpty()) remember_folder_of(file);
     return file;
   };
-  connect(&timer_, &QTimer::timeout, this, [this] { draw_next(); });
+  connect(&timer_, &QTimer::timeout, this, &ExportControl::draw_next);
 }
 
 ExportControl::~ExportControl() = default;
@@ -63,10 +63,10 @@ Surfaces ExportControl::surfaces() const {
 }
 
 /// One at a time: a second one would abandon the first.
-bool ExportControl::may_begin() const {
+bool ExportControl::may_begin() {
   if (!drawn_ || !instant()) return false;
   if (!busy()) return true;
-  fail(QStringLiteral("An export is going on: wait until it has ended, or cancel it."));
+  emit failed(QStringLiteral("An export is going on: wait until it has ended, or cancel it."));
   return false;
 }
 
@@ -82,16 +82,16 @@ bool ExportControl::may_write_contacts(const QString& file) const {
 void ExportControl::write(const QString& file, const std::function<void()>& write) {
   try {
     write();
-    say(QStringLiteral("Saved %1").arg(file));
+    emit say(QStringLiteral("Saved %1").arg(file));
   } catch (const std::exception& bad) {
-    fail(QString::fromUtf8(bad.what()));
+    emit failed(QString::fromUtf8(bad.what()));
   }
 }
 
 void ExportControl::ended(const QString& file, const std::exception_ptr& error) {
   const QString reason = error ? reason_of(error) : QString();
-  if (!error) say(QStringLiteral("Saved %1").arg(file));
-  if (!reason.isEmpty()) fail(reason);
+  if (!error) emit say(QStringLiteral("Saved %1").arg(file));
+  if (!reason.isEmpty()) emit failed(reason);
 }
 
 void ExportControl::export_picture() {
@@ -168,7 +168,7 @@ void ExportControl::export_animation() {
     animation->film_name = QStringLiteral("separation.mp4");
     animate(std::move(animation));
   } catch (const InputError& bad) {
-    fail(QString::fromUtf8(bad.what()));
+    emit failed(QString::fromUtf8(bad.what()));
   }
 }
 
@@ -247,7 +247,7 @@ void ExportControl::finish(const QString& reason) {
   const std::unique_ptr<Animation> done = std::move(animation_);
   viewport_.invalidate();
   if (!done) return;  // given up: there is no folder
-  if (!reason.isEmpty()) return fail(reason);
+  if (!reason.isEmpty()) return emit failed(reason);
   write(done->folder_name, [&] { done->folder.commit(); });
 }
 

@@ -21,6 +21,7 @@ class ProgressDialog;
 /// Writes what the window shows to files for other programs: pictures, tables, ParaView's, glTF.
 /// Each appears whole or not at all.
 class ExportControl : public QObject {
+  Q_OBJECT
  public:
   ExportControl(Viewport& viewport, QWidget& window);
   ~ExportControl() override;
@@ -49,11 +50,14 @@ class ExportControl : public QObject {
   std::function<const Instant*()> instant;
   /// What the timeline leads over; none where that is nothing.
   std::function<std::optional<TickBlocks>()> ticks;
-  std::function<void(const QString&)> say, fail;
+
+ signals:
+  void say(const QString& what);
+  void failed(const QString& reason);
 
  private:
   struct Animation;
-  bool may_begin() const;
+  bool may_begin();
   bool may_write_contacts(const QString& file) const;
   void write(const QString& file, const std::function<void()>& write);
   void ended(const QString& file, const std::exception_ptr& error);

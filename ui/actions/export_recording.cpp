@@ -106,7 +106,7 @@ void ExportControl::export_recording_pictures() {
     animation->film_rate = wanted->span.rate;
     animate(std::move(animation));
   } catch (const InputError& bad) {
-    fail(QString::fromUtf8(bad.what()));
+    emit failed(QString::fromUtf8(bad.what()));
   }
 }
 

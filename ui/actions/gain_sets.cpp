@@ -47,7 +47,7 @@ class GainExchange : public QUndoCommand {
 void GainSets::take(const Coupling& coupling) {
   sets_ = {coupling, coupling};
   active_ = 0;
-  if (switched) switched();
+  emit switched();
 }
 
 void GainSets::restore(const std::array<Coupling, 2>& sets, std::size_t active) {
@@ -59,7 +59,7 @@ void GainSets::set(const std::array<Coupling, 2>& sets, std::size_t active) {
   sets_ = sets;
   active_ = active;
   panel_.apply(sets_.at(active_));
-  if (switched) switched();
+  emit switched();
 }
 
 Coupling GainSets::gains(std::size_t set) const {
@@ -72,7 +72,7 @@ void GainSets::swap() {
   sets_.at(active_) = panel_.coupling();
   active_ = 1 - active_;
   panel_.apply(sets_.at(active_));
-  if (switched) switched();
+  emit switched();
 }
 
 }  // namespace sonde::ui

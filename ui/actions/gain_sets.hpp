@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QObject>
 #include <array>
 #include <cstddef>
-#include <functional>
 
 #include "engine/haptics/coupling/coupling.hpp"
 
@@ -15,7 +15,8 @@ class CouplingPanel;
 
 /// Two sets of gains, A and B, to feel one after the other. The sliders show and change the active
 /// one; the other keeps its values. The panel, the stack and the sets live equally long.
-class GainSets {
+class GainSets : public QObject {
+  Q_OBJECT
  public:
   GainSets(CouplingPanel& panel, QUndoStack& undo) : panel_(panel), undo_(undo) {}
 
@@ -29,8 +30,9 @@ class GainSets {
   /// Changes to the other set; can be undone.
   void switch_over();
 
+ signals:
   /// The other set is active now.
-  std::function<void()> switched;
+  void switched();
 
  private:
   friend class GainSwitch;

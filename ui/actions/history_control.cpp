@@ -61,23 +61,24 @@ HistoryControl::HistoryControl(Opener& opener, Prompts& prompts, QWidget& window
       timeline_(new TimelinePanel(&window)),
       plots_(new PlotsPanel(&window)),
       job_(&window) {
-  timeline_->sought = [this](double time) { look_at(time); };
-  timeline_->stepped = [this](int ticks) { step(ticks); };
-  timeline_->played = [this](bool on) { play(on); };
-  timeline_->looped = [this](bool on) { playback_.set_loop(on); };
-  timeline_->recorded = [this](bool on) { set_recording(on); };
-  timeline_->replay_shown = [this](bool on) { show_replay(on); };
-  timeline_->speed_changed = [this](double speed) { playback_.set_speed(speed); };
-  timeline_->live_wanted = [this] { go_live(); };
-  plots_->sought = [this](double time) { look_at(time); };
-  connect(&ending_timer_, &QTimer::timeout, this, [this] { report_ended(); });
+  connect(timeline_, &TimelinePanel::sought, this, &HistoryControl::look_at);
+  connect(timeline_, &TimelinePanel::stepped, this, &HistoryControl::step);
+  connect(timeline_, &TimelinePanel::played, this, &HistoryControl::play);
+  connect(timeline_, &TimelinePanel::looped, this, [this](bool on) { playback_.set_loop(on); });
+  connect(timeline_, &TimelinePanel::recorded, this, &HistoryControl::set_recording);
+  connect(timeline_, &TimelinePanel::replay_shown, this, &HistoryControl::show_replay);
+  connect(timeline_, &TimelinePanel::speed_changed, this,
+          [this](double speed) { playback_.set_speed(speed); });
+  connect(timeline_, &TimelinePanel::live_wanted, this, &HistoryControl::go_live);
+  connect(plots_, &PlotsPanel::sought, this, &HistoryControl::look_at);
+  connect(&ending_timer_, &QTimer::timeout, this, &HistoryControl::report_ended);
 }
 
 HistoryControl::~HistoryControl() = default;
 
 void HistoryControl::attach(Session* session) {
   stop_recording();
-  if (job_.running()) view_.say(QStringLiteral("Running it again: given up, for what was opened"));
+  if (job_.running()) emit say(QStringLiteral("Running it again: given up, for what was opened"));
   job_.abandon();
   leave();
   plots_->forget();
@@ -138,7 +139,7 @@ void HistoryControl::try_to(const std::function<void()>& look) {
 void HistoryControl::begin_looking() {
   if (looking_back() || !kept() || !view_.session()) return;
   paused_before_ = view_.session()->paused();
-  view_.pause(true);
+  emit pause_wanted(true);
   playback_.look_at(shows_replay_ && replay_ ? &replay_->log() : kept());
 }
 
@@ -180,7 +181,7 @@ void HistoryControl::show_replay(bool on) {
 void HistoryControl::go_live() {
   if (!looking_back()) return;
   leave();
-  view_.pause(paused_before_);
+  emit pause_wanted(paused_before_);
   show_state();
 }
 
@@ -214,7 +215,7 @@ void HistoryControl::record(const QString& file) {
                            .arg(QTime::currentTime().toString(QStringLiteral("hh:mm:ss")))
                            .arg(kept.last_time() - kept.first_time(), 0, 'f', 1);
     agree_to_paths_of(view_.scene(), absolute_path(file));  // the user's own
-    view_.say(QStringLiteral("Recording to %1").arg(file));
+    emit say(QStringLiteral("Recording to %1").arg(file));
   } catch (const InputError& bad) {
     prompts_.report_error(QString::fromUtf8(bad.what()));
   }
@@ -231,7 +232,7 @@ void HistoryControl::stop_recording() {
 void HistoryControl::report_ended() {
   while (const std::optional<Recorder::Ended> ended = recorder_.ended())
     if (ended->failure.isEmpty())
-      view_.say(QStringLiteral("Recorded %1").arg(QString::fromStdString(ended->file.string())));
+      emit say(QStringLiteral("Recorded %1").arg(QString::fromStdString(ended->file.string())));
     else
       prompts_.report_error(ended->failure);
   if (!recorder_.ending()) ending_timer_.stop();
@@ -261,15 +262,15 @@ void HistoryControl::open_recording(const QString& file) {
 }
 
 void HistoryControl::opened(DrawnSession drawn, const std::shared_ptr<KeptTicks>& recording) {
-  view_.show(std::move(drawn));
+  emit show_wanted(drawn);
   plots_->forget();
   opened_ = recording;
   if (opened_->log().empty())
     prompts_.report_error(QStringLiteral("%1 holds no tick.").arg(opened_->name));
   look_at(opened_->log().first_time());
   if (const std::string& cut = opened_->recording->cut; !cut.empty())
-    view_.say(QStringLiteral("%1: %2. What is before it is shown.")
-                  .arg(opened_->name, QString::fromStdString(cut)));
+    emit say(QStringLiteral("%1: %2. What is before it is shown.")
+                 .arg(opened_->name, QString::fromStdString(cut)));
 }
 
 void HistoryControl::show_kept(std::shared_ptr<KeptTicks> ticks, double time) {
@@ -335,7 +336,7 @@ void HistoryControl::show_runs(std::shared_ptr<KeptTicks> first,
   // The one before may be on show until this one is.
   const std::shared_ptr<KeptTicks> before = std::exchange(replay_, std::move(first));
   show_replay(true);
-  if (replayed) replayed();
+  emit replayed();
 }
 
 /// That of the tick on show, as the view says it: while it plays slowly, the place on the way to

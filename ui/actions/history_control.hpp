@@ -27,15 +27,13 @@ struct HistoryView {
   std::function<Session*()> session;
   std::function<Scene()> scene;  ///< as a file would hold it now
   std::function<bool()> may_leave;
-  std::function<void(DrawnSession)> show;
-  std::function<void(bool)> pause;
-  std::function<void(const QString&)> say;  ///< in passing
 };
 
 /// Everything about time: keeps the last minutes of the session, records them, opens recordings,
 /// shows any instant of them, and runs them again with other gains. While the user looks back the
 /// servo is paused, so that what the hand feels is always what is on the screen.
 class HistoryControl : public QObject {
+  Q_OBJECT
  public:
   HistoryControl(Opener& opener, Prompts& prompts, QWidget& window, HistoryView view);
   ~HistoryControl() override;
@@ -85,7 +83,12 @@ class HistoryControl : public QObject {
   std::optional<TickBlocks> ticks_on_show();
   const KeptTicks* replay() const { return replay_.get(); }
   const KeptTicks* second_replay() const { return second_.get(); }
-  std::function<void()> replayed;
+
+ signals:
+  void show_wanted(DrawnSession& drawn);  ///< to be taken
+  void pause_wanted(bool on);
+  void say(const QString& what);  ///< in passing
+  void replayed();
 
  private:
   const TickLog* kept() const;  ///< that of the file, or of the session; null where there is none

@@ -40,21 +40,21 @@ MeasureControl::MeasureControl(DeviceControl& devices,
       prompts_(prompts),
       window_(window),
       job_(&window) {
-  job_.watched = [this](double fraction) {
-    if (dialog_) dialog_->show_computing(fraction);
-  };
-  connect(&timer_, &QTimer::timeout, this, [this] { look(); });
+  job_.stay_back();
+  connect(&timer_, &QTimer::timeout, this, &MeasureControl::look);
 }
 
 void MeasureControl::ask() {
   if (dialog_ || !devices_.report().measurable) return;
   dialog_ = new MeasureDialog(&window_);
   dialog_->setAttribute(Qt::WA_DeleteOnClose);
-  dialog_->start_asked = [this] { start(); };
-  dialog_->cancel_asked = [this] { stop(QStringLiteral("cancelled")); };
-  dialog_->profile_chosen = [this](const QString& id) { show_subject(id); };
-  dialog_->save_asked = [this] { save(); };
-  dialog_->use_asked = [this] { use(); };
+  connect(&job_, &Job::progressed, dialog_, &MeasureDialog::show_computing);
+  connect(dialog_, &MeasureDialog::start_asked, this, &MeasureControl::start);
+  connect(dialog_, &MeasureDialog::cancel_asked, this,
+          [this] { stop(QStringLiteral("cancelled")); });
+  connect(dialog_, &MeasureDialog::profile_chosen, this, &MeasureControl::show_subject);
+  connect(dialog_, &MeasureDialog::save_asked, this, &MeasureControl::save);
+  connect(dialog_, &MeasureDialog::use_asked, this, &MeasureControl::use);
   show_subject({});
   if (dialog_) dialog_->open();
 }
@@ -94,7 +94,7 @@ void MeasureControl::start() {
     return dialog_->show_ended(QString::fromUtf8(why.what()));
   }
   if (!hand_) return dialog_->show_ended(QStringLiteral("the device is not there any more"));
-  if (say) say(QStringLiteral("Measuring %1.").arg(subject_.device));
+  emit say(QStringLiteral("Measuring %1.").arg(subject_.device));
   timer_.start(look_ms);
   look();
 }
@@ -106,7 +106,7 @@ void MeasureControl::stop(const QString& reason) {
     hand->pulses().stop();
     devices_.end_measuring();
   }
-  if (say) say(QStringLiteral("The measurement ended: %1.").arg(reason));
+  emit say(QStringLiteral("The measurement ended: %1.").arg(reason));
   if (dialog_) dialog_->show_ended(reason);
 }
 
@@ -173,7 +173,7 @@ void MeasureControl::save() {
     return prompts_.report_error(QString::fromUtf8(why.what()));
   }
   devices_.add_profile(*saved_);
-  if (say) say(QStringLiteral("Saved %1.").arg(file));
+  emit say(QStringLiteral("Saved %1.").arg(file));
   const bool usable = std::holds_alternative<SimulatedSource>(devices_.source());
   if (dialog_) dialog_->show_saved(file, usable);
 }

@@ -19,6 +19,7 @@ namespace sonde::ui {
 /// Measures the device that holds the probe: asks, plays the pulses, computes its figures beside
 /// the window, and writes them as a profile.
 class MeasureControl : public QObject {
+  Q_OBJECT
  public:
   MeasureControl(DeviceControl& devices, std::vector<std::filesystem::path> profile_folders,
                  Prompts& prompts, QWidget& window);
@@ -33,7 +34,9 @@ class MeasureControl : public QObject {
 
   /// Why it cannot begin now; empty: it can.
   std::function<QString()> obstacle;
-  std::function<void(const QString&)> say;  ///< to the log
+
+ signals:
+  void say(const QString& what);  ///< to the log
 
  private:
   void show_subject(const QString& profile_id);

@@ -91,7 +91,7 @@ QDoubleSpinBox* MeasureDialog::limit(const char* name, const char* object, const
   box->setDecimals(decimals);
   box->setSuffix(QString::fromUtf8(suffix));
   form_->addRow(QString::fromUtf8(name), box);
-  connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this] { describe(); });
+  connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &MeasureDialog::describe);
   return box;
 }
 
@@ -105,9 +105,8 @@ QWidget* MeasureDialog::consent_page() {
   profiles_->setToolTip(QStringLiteral(
       "Its mass and inertia say how long a pulse takes; what is not measured is kept from it."));
   form_->addRow(QStringLiteral("Begin with the profile"), profiles_);
-  connect(profiles_, qOverload<int>(&QComboBox::activated), this, [this] {
-    if (profile_chosen) profile_chosen(profiles_->currentText());
-  });
+  connect(profiles_, qOverload<int>(&QComboBox::activated), this,
+          [this] { emit profile_chosen(profiles_->currentText()); });
   force_ = limit("Largest force", "measure_force", " N", 2);
   torque_ = limit("Largest torque", "measure_torque", " N·m", 3);
   travel_ = limit("Travel of a pulse", "measure_travel", " mm", 1);
@@ -119,9 +118,7 @@ QWidget* MeasureDialog::consent_page() {
   // A key that is still down from before is no consent.
   start->setAutoDefault(false);
   cancel->setDefault(true);
-  connect(start, &QPushButton::clicked, this, [this] {
-    if (start_asked) start_asked();
-  });
+  connect(start, &QPushButton::clicked, this, &MeasureDialog::start_asked);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* layout = new QVBoxLayout(page);
   for (QWidget* widget : {ended_, what_}) layout->addWidget(widget);
@@ -166,12 +163,8 @@ QWidget* MeasureDialog::result_page() {
   use_ = buttons->addButton(QStringLiteral("Use it"), QDialogButtonBox::ActionRole);
   use_->setObjectName(QStringLiteral("measure_use"));
   use_->setToolTip(QStringLiteral("Simulate the device from the saved profile from now on."));
-  connect(save, &QPushButton::clicked, this, [this] {
-    if (save_asked) save_asked();
-  });
-  connect(use_, &QPushButton::clicked, this, [this] {
-    if (use_asked) use_asked();
-  });
+  connect(save, &QPushButton::clicked, this, &MeasureDialog::save_asked);
+  connect(use_, &QPushButton::clicked, this, &MeasureDialog::use_asked);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* layout = new QVBoxLayout(page);
   layout->addWidget(table_, 1);
@@ -311,7 +304,7 @@ void MeasureDialog::show_saved(const QString& file, bool usable) {
 void MeasureDialog::reject() {
   if (since_end_.isValid() && since_end_.elapsed() < same_key_ms) return;
   if (pages_->currentIndex() != running) return QDialog::reject();
-  if (cancel_asked) cancel_asked();
+  emit cancel_asked();
 }
 
 }  // namespace sonde::ui

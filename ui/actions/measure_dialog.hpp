@@ -3,7 +3,6 @@
 
 #include <QDialog>
 #include <QElapsedTimer>
-#include <functional>
 
 #include "engine/study/identification/identification.hpp"
 #include "engine/study/identification/pulse_player.hpp"
@@ -30,6 +29,7 @@ struct MeasureSubject {
 /// Measures a device, page by page: asks for the person's consent, shows how far it is, and what
 /// came of it.
 class MeasureDialog : public QDialog {
+  Q_OBJECT
  public:
   explicit MeasureDialog(QWidget* parent);
 
@@ -44,15 +44,16 @@ class MeasureDialog : public QDialog {
 
   PulseLimits limits() const;
 
-  std::function<void()> start_asked;
-  std::function<void()> cancel_asked;  ///< of what runs
-  std::function<void(const QString& id)> profile_chosen;
-  std::function<void()> save_asked;
-  std::function<void()> use_asked;
-
   /// Cancels what runs, or else closes. The Esc that has ended it does not close it too: there is a
   /// reason to read.
   void reject() override;
+
+ signals:
+  void start_asked();
+  void cancel_asked();  ///< of what runs
+  void profile_chosen(const QString& id);
+  void save_asked();
+  void use_asked();
 
  private:
   QWidget* consent_page();

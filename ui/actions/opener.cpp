@@ -39,7 +39,8 @@ void Opener::open_scene(const QString& file) {
   make_asking(
       QStringLiteral("Opening %1").arg(QFileInfo(file).fileName()), file,
       [scene](const Progress&) { return paths_to_ask_for(scene); },
-      [scene](const Progress& progress) { return ui::open_scene(scene, progress); }, ready);
+      [scene](const Progress& progress) { return ui::open_scene(scene, progress); },
+      [this](DrawnSession drawn) { emit ready(drawn); });
 }
 
 void Opener::open_meshes(const QString& probe, const QString& fixed, std::optional<double> unit) {
@@ -95,7 +96,7 @@ void Opener::ask_and_build(const std::shared_ptr<MeshPair>& pair, std::optional<
 }
 
 void Opener::begin(const QString& what, std::function<LoadedScene(const Progress&)> open) {
-  make(what, std::move(open), ready, {});
+  make(what, std::move(open), [this](DrawnSession drawn) { emit ready(drawn); }, {});
 }
 
 void Opener::make(const QString& what, std::function<LoadedScene(const Progress&)> open,
@@ -142,8 +143,8 @@ void Opener::make_asking(const QString& what, const QString& file,
 }
 
 void Opener::give_up() {
-  if (job_.running() && say)
-    say(QStringLiteral("%1: given up, for what is opened instead").arg(what_));
+  if (job_.running())
+    emit say(QStringLiteral("%1: given up, for what is opened instead").arg(what_));
   if (const auto given_up = std::exchange(given_up_, {})) given_up();
 }
 
@@ -151,7 +152,7 @@ void Opener::fail(const std::exception_ptr& error) { refuse(reason_of(error)); }
 
 void Opener::refuse(const QString& reason) {
   if (!reason.isEmpty() && prompts_.report_error) prompts_.report_error(reason);
-  if (failed) failed(reason);
+  emit failed(reason);
 }
 
 }  // namespace sonde::ui

@@ -16,6 +16,7 @@ namespace sonde::ui {
 /// Opens scenes and pairs of meshes, in a worker. The present document stays until the new pair is
 /// ready, and stays on bad input or when the user cancels.
 class Opener : public QObject {
+  Q_OBJECT
  public:
   Opener(QWidget& window, Prompts& prompts);
 
@@ -41,10 +42,11 @@ class Opener : public QObject {
   /// fixed body.
   void open_files(const QStringList& files, std::optional<double> unit);
 
-  std::function<void(DrawnSession)> ready;
-  std::function<void(const QString&)> say;  ///< in passing
+ signals:
+  void ready(DrawnSession& drawn);  ///< to be taken
+  void say(const QString& what);    ///< in passing
   /// Nothing was opened. The reason (empty if the user cancelled) was already reported.
-  std::function<void(const QString& reason)> failed;
+  void failed(const QString& reason);
 
  private:
   void begin(const QString& what, std::function<LoadedScene(const Progress&)> open);

@@ -103,9 +103,9 @@ void DocumentControl::remove_part(std::size_t part) {
   const auto parts = as_parts(document_.content().scene.fixed);
   if (document_.empty() || part >= parts.size()) return;
   if (parts.size() == 1)
-    return view_.say(QStringLiteral("The fixed body has no other part: there would be nothing."));
+    return emit say(QStringLiteral("The fixed body has no other part: there would be nothing."));
   if (parts[part].felt && std::ranges::count(parts, true, &SceneBody::felt) == 1)
-    return view_.say(QStringLiteral("No other part is felt: tick one of them first."));
+    return emit say(QStringLiteral("No other part is felt: tick one of them first."));
   const QString name = QString::fromStdString(part_name(parts[part]));
   change_parts(QStringLiteral("Remove %1").arg(name), [part](SceneBody& fixed) {
     fixed.parts.erase(fixed.parts.begin() + static_cast<std::ptrdiff_t>(part));
@@ -117,7 +117,7 @@ void DocumentControl::take_apart(std::size_t part) {
   if (document_.empty() || part >= parts.size()) return;
   const QString name = QString::fromStdString(part_name(parts[part]));
   if (parts[part].component != 0 || components_in(part) < 2)
-    return view_.say(QStringLiteral("%1 hangs together: it is one component.").arg(name));
+    return emit say(QStringLiteral("%1 hangs together: it is one component.").arg(name));
   change_parts(QStringLiteral("Take %1 apart").arg(name),
                [part](SceneBody& fixed) { fixed.parts[part].components = true; });
 }
@@ -136,9 +136,9 @@ void DocumentControl::rename_part(std::size_t part, const QString& name) {
   const bool taken = std::ranges::any_of(
       parts, [&wanted](const SceneBody& other) { return part_name(other) == wanted; });
   if (wanted.empty() || taken) {
-    view_.say(taken ? QStringLiteral("There is a part named “%1” already.").arg(name)
-                    : QStringLiteral("A part has a name."));
-    return tell();
+    emit say(taken ? QStringLiteral("There is a part named “%1” already.").arg(name)
+                   : QStringLiteral("A part has a name."));
+    return emit changed();
   }
   change_parts(QStringLiteral("Rename to %1").arg(name),
                [&](SceneBody& fixed) { fixed.parts[part].name = wanted; });
@@ -161,8 +161,8 @@ void DocumentControl::set_part_felt(std::size_t part, bool felt) {
   const auto parts = as_parts(document_.content().scene.fixed);
   if (document_.empty() || part >= parts.size() || parts[part].felt == felt) return;
   if (!felt && std::ranges::count(parts, true, &SceneBody::felt) == 1) {
-    view_.say(QStringLiteral("At least one part is felt."));
-    return tell();
+    emit say(QStringLiteral("At least one part is felt."));
+    return emit changed();
   }
   change_parts(felt ? QStringLiteral("Feel a part") : QStringLiteral("Leave a part unfelt"),
                [&](SceneBody& fixed) { fixed.parts[part].felt = felt; });

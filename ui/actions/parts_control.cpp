@@ -20,17 +20,15 @@ PartsControl::PartsControl(Viewport& viewport, DocumentControl& documents, Promp
       prompts_(prompts),
       panel_(new PartsPanel(&window)) {
   window.addDockWidget(window.dockWidgetArea(&beside), panel_);
-  panel_->add_wanted = [this] { ask_parts(); };
-  panel_->swap_wanted = [this] { documents_.swap_bodies(); };
-  panel_->remove_wanted = [this](std::size_t part) { documents_.remove_part(part); };
-  panel_->take_apart_wanted = [this](std::size_t part) { documents_.take_apart(part); };
-  panel_->colour_wanted = [this](std::size_t part) { ask_colour(part); };
-  panel_->rename_wanted = [this](std::size_t part, const QString& name) {
-    documents_.rename_part(part, name);
-  };
-  panel_->shown_wanted = [this](std::size_t part, bool on) { documents_.set_part_shown(part, on); };
-  panel_->felt_wanted = [this](std::size_t part, bool on) { documents_.set_part_felt(part, on); };
-  panel_->chosen_changed = [this](std::optional<std::size_t> part) { viewport_.choose_part(part); };
+  connect(panel_, &PartsPanel::add_wanted, this, &PartsControl::ask_parts);
+  connect(panel_, &PartsPanel::swap_wanted, &documents_, &DocumentControl::swap_bodies);
+  connect(panel_, &PartsPanel::remove_wanted, &documents_, &DocumentControl::remove_part);
+  connect(panel_, &PartsPanel::take_apart_wanted, &documents_, &DocumentControl::take_apart);
+  connect(panel_, &PartsPanel::colour_wanted, this, &PartsControl::ask_colour);
+  connect(panel_, &PartsPanel::rename_wanted, &documents_, &DocumentControl::rename_part);
+  connect(panel_, &PartsPanel::shown_wanted, &documents_, &DocumentControl::set_part_shown);
+  connect(panel_, &PartsPanel::felt_wanted, &documents_, &DocumentControl::set_part_felt);
+  connect(panel_, &PartsPanel::chosen_changed, &viewport_, &Viewport::choose_part);
 }
 
 void PartsControl::attach(const Session* session) {

@@ -25,6 +25,8 @@ QString more_text(const RepairPlaces& places) {
   return QStringLiteral(" (the first of %1)").arg(static_cast<qulonglong>(places.all));
 }
 
+Role role_of(std::size_t body) { return body == RepairsBar::probe ? Role::probe : Role::fixed; }
+
 }  // namespace
 
 RepairsControl::RepairsControl(Viewport& viewport, DocumentControl& documents, QWidget& window)
@@ -33,18 +35,21 @@ RepairsControl::RepairsControl(Viewport& viewport, DocumentControl& documents, Q
       documents_(documents),
       bar_(new RepairsBar(&window)),
       flight_(viewport, this) {
-  bar_->show_wanted = [this](std::size_t body) { show_next(body); };
-  bar_->repair_wanted = [this](std::size_t body, bool as_in_file) {
-    documents_.set_repair(body == RepairsBar::probe ? Role::probe : Role::fixed,
-                          as_in_file ? Repair::none : Repair::automatic);
-  };
-  bar_->close_wanted = [this](std::size_t body) {
-    documents_.make_solid(body == RepairsBar::probe ? Role::probe : Role::fixed);
-  };
-  bar_->put_away = [this] {
-    set_away(true);
-    viewport_.canvas()->setFocus();
-  };
+  connect(bar_, &RepairsBar::show_wanted, this, qOverload<std::size_t>(&RepairsControl::show_next));
+  connect(bar_, &RepairsBar::repair_wanted, this, &RepairsControl::repair);
+  connect(bar_, &RepairsBar::close_wanted, this, &RepairsControl::close_openings);
+  connect(bar_, &RepairsBar::put_away, this, &RepairsControl::put_away);
+}
+
+void RepairsControl::repair(std::size_t body, bool as_in_file) {
+  documents_.set_repair(role_of(body), as_in_file ? Repair::none : Repair::automatic);
+}
+
+void RepairsControl::close_openings(std::size_t body) { documents_.make_solid(role_of(body)); }
+
+void RepairsControl::put_away() {
+  set_away(true);
+  viewport_.canvas()->setFocus();
 }
 
 void RepairsControl::attach(Session* session, bool same_document) {
@@ -60,7 +65,7 @@ void RepairsControl::set_away(bool away) {
   if (away == away_) return;
   away_ = away;
   show_rows();
-  if (away_changed) away_changed(away);
+  emit away_changed(away);
 }
 
 const Body& RepairsControl::body(std::size_t index) const {
@@ -110,7 +115,7 @@ void RepairsControl::show_next() {
     if (has_more) return show_next(index);
     next_.at(index) = 0;  // through: the other one, and then it again
   }
-  if (say) say(QStringLiteral("Nothing was mended."));
+  emit say(QStringLiteral("Nothing was mended."));
 }
 
 void RepairsControl::show_next(std::size_t index) {
@@ -128,10 +133,9 @@ void RepairsControl::show_next(std::size_t index) {
                              QStringLiteral("%1: %2").arg(in_full, words(place.kind))};
   bar_->show_places(index, count, in_full);
   flight_.show(pointed);
-  if (say)
-    say(QStringLiteral("%1, %2, %3 across")
-            .arg(short_name(body), pointed.text,
-                 LengthUnit(body.mass.radius).text(2 * place.size)));
+  emit say(
+      QStringLiteral("%1, %2, %3 across")
+          .arg(short_name(body), pointed.text, LengthUnit(body.mass.radius).text(2 * place.size)));
 }
 
 }  // namespace sonde::ui

@@ -4,7 +4,6 @@
 #include <QObject>
 #include <QString>
 #include <array>
-#include <functional>
 #include <optional>
 
 #include "ui/actions/flight.hpp"
@@ -19,6 +18,7 @@ class Viewport;
 /// What was mended of the bodies on show: the bar that says so, the way to each place, and taking
 /// it back.
 class RepairsControl : public QObject {
+  Q_OBJECT
  public:
   RepairsControl(Viewport& viewport, DocumentControl& documents, QWidget& window);
 
@@ -34,10 +34,14 @@ class RepairsControl : public QObject {
   bool away() const { return away_; }
   bool flying() const { return flight_.flying(); }
 
-  std::function<void(const QString&)> say;
-  std::function<void(bool away)> away_changed;
+ signals:
+  void say(const QString& what);
+  void away_changed(bool away);
 
  private:
+  void repair(std::size_t body, bool as_in_file);
+  void close_openings(std::size_t body);
+  void put_away();
   const Body& body(std::size_t index) const;
   std::optional<RepairsRow> row_of(std::size_t index) const;
   void show_rows();

@@ -49,32 +49,22 @@ SeeingControl::SeeingControl(Viewport& viewport, DocumentControl& documents, QMa
       pick_(new ViewPick(viewport, this)),
       gaps_(viewport),
       crossings_(viewport, window) {
-  crossings_.say = [this](const QString& what) {
-    if (say) say(what);
-  };
+  connect(&crossings_, &CrossingFinder::say, this, &SeeingControl::say);
   window.addDockWidget(window.dockWidgetArea(&beside), panel_);
   window.addDockWidget(window.dockWidgetArea(&beside), contacts_);
-  panel_->changed = [this](const Seeing& seeing) { set_seeing(seeing); };
-  panel_->snap_wanted = [this] { snap_cut(); };
-  panel_->face_wanted = [this] { face_cut(); };
-  panel_->gap_reach_changed = [this](std::optional<double> reach) { gaps_.set_reach(reach); };
-  panel_->save_wanted = [this] { save_view(); };
-  panel_->view_wanted = [this](int index) { go_to_view(index); };
-  panel_->forget_wanted = [this](int index) { forget_view(index); };
-  contacts_->chosen_changed = [this](std::uint64_t id) { viewport_.choose_contact(id); };
-  pick_->picked = [this](QPointF at) { measure(at); };
-  pick_->clicked = [this](QPointF at) { click(at); };
-  pick_->cut_moved = [this](double along) {
-    Seeing seeing = seeing_;
-    seeing.cut.point += seeing.cut.normal * along;
-    set_seeing(seeing);
-  };
-  pick_->cut_turned = [this](const Vec3& turn) {
-    Seeing seeing = seeing_;
-    if (const double angle = turn.norm(); angle > 0)
-      seeing.cut.normal = (Eigen::AngleAxisd(angle, turn / angle) * seeing.cut.normal).normalized();
-    set_seeing(seeing);
-  };
+  connect(panel_, &SeeingPanel::changed, this, &SeeingControl::set_seeing);
+  connect(panel_, &SeeingPanel::snap_wanted, this, &SeeingControl::snap_cut);
+  connect(panel_, &SeeingPanel::face_wanted, this, &SeeingControl::face_cut);
+  connect(panel_, &SeeingPanel::gap_reach_changed, this,
+          [this](std::optional<double> reach) { gaps_.set_reach(reach); });
+  connect(panel_, &SeeingPanel::save_wanted, this, &SeeingControl::save_view);
+  connect(panel_, &SeeingPanel::view_wanted, this, &SeeingControl::go_to_view);
+  connect(panel_, &SeeingPanel::forget_wanted, this, &SeeingControl::forget_view);
+  connect(contacts_, &ContactsPanel::chosen_changed, &viewport_, &Viewport::choose_contact);
+  connect(pick_, &ViewPick::picked, this, &SeeingControl::measure);
+  connect(pick_, &ViewPick::clicked, this, &SeeingControl::click);
+  connect(pick_, &ViewPick::cut_moved, this, &SeeingControl::move_cut);
+  connect(pick_, &ViewPick::cut_turned, this, &SeeingControl::turn_cut);
 }
 
 SeeingControl::~SeeingControl() = default;
@@ -99,12 +89,20 @@ void SeeingControl::set_seeing(const Seeing& seeing) {
   seeing_ = seeing;
   viewport_.set_seeing(seeing);
   panel_->show_seeing(seeing);
-  for (const auto& hear : heard_) hear();
+  emit changed();
 }
 
-void SeeingControl::on_change(std::function<void()> heard) {
-  heard();
-  heard_.push_back(std::move(heard));
+void SeeingControl::move_cut(double along) {
+  Seeing seeing = seeing_;
+  seeing.cut.point += seeing.cut.normal * along;
+  set_seeing(seeing);
+}
+
+void SeeingControl::turn_cut(const Vec3& turn) {
+  Seeing seeing = seeing_;
+  if (const double angle = turn.norm(); angle > 0)
+    seeing.cut.normal = (Eigen::AngleAxisd(angle, turn / angle) * seeing.cut.normal).normalized();
+  set_seeing(seeing);
 }
 
 void SeeingControl::set_cut(bool on) {
@@ -135,7 +133,7 @@ const ContactCluster* SeeingControl::leading() const {
 void SeeingControl::snap_cut() {
   const ContactCluster* contact = leading();
   if (!contact) {
-    if (say) say(QStringLiteral("There is no contact to cut through."));
+    emit say(QStringLiteral("There is no contact to cut through."));
     return;
   }
   Seeing seeing = seeing_;
@@ -199,7 +197,7 @@ void SeeingControl::click(QPointF at) {
     if (distance < nearest) nearest = distance, best = &c;
   }
   if (best) return choose_contact(best->id == contacts_->chosen() ? 0 : best->id);
-  if (clicked) clicked(at);
+  emit clicked(at);
 }
 
 void SeeingControl::choose_contact(std::uint64_t id) {

@@ -27,6 +27,7 @@ class Viewport;
 /// Everything about seeing inside: the look of the bodies, the cut, measuring, the list of
 /// contacts, the colours of the gap, and the view directions.
 class SeeingControl : public QObject {
+  Q_OBJECT
  public:
   /// Its docks are added to the window, in the place of that one.
   SeeingControl(Viewport& viewport, DocumentControl& documents, QMainWindow& window,
@@ -57,14 +58,17 @@ class SeeingControl : public QObject {
   void go_to_view(int index);
   void choose_contact(std::uint64_t id);
 
-  /// Called at once and whenever seeing() says something else.
-  void on_change(std::function<void()> heard);
-  std::function<void(const QString&)> say;
   std::function<bool(QPointF)> click_wanted;  ///< a click in the view is somebody's: true
-  std::function<void(QPointF)> clicked;       ///< in the view, on no contact
+
+ signals:
+  void changed();  ///< seeing() says something else
+  void say(const QString& what);
+  void clicked(QPointF at);  ///< in the view, on no contact
 
  private:
   void measure(QPointF at);
+  void move_cut(double along);
+  void turn_cut(const Vec3& turn);
   void click(QPointF at);
   void follow(const Snapshot& snapshot);
   const ContactCluster* leading() const;
@@ -82,7 +86,6 @@ class SeeingControl : public QObject {
   Seeing seeing_;
   Separation shown_;
   Wrench wrench_;
-  std::vector<std::function<void()>> heard_;
   bool follow_ = false;
 };
 

@@ -24,7 +24,7 @@ QString name_of(SnapKind kind) {
 SnapControl::SnapControl(Viewport& viewport, DocumentControl& documents, PosePanel& panel,
                          QObject* parent)
     : QObject(parent), viewport_(viewport), documents_(documents), panel_(panel) {
-  panel_.snap_wanted = [this](std::optional<SnapKind> kind) { start(kind); };
+  connect(&panel_, &PosePanel::snap_wanted, this, &SnapControl::start);
 }
 
 void SnapControl::attach(Session* session) {

@@ -6,6 +6,7 @@
 #include "engine/settings/settings.hpp"
 #include "engine/study/stability/press_and_hold.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
+#include "ui/base/format.hpp"
 #include "ui/document/kept_gains.hpp"
 #include "ui/document/session.hpp"
 #include "ui/panels/coupling_panel.hpp"
@@ -42,25 +43,19 @@ StiffnessControl::StiffnessControl(std::vector<std::filesystem::path> profile_fo
       panel_(new StiffnessPanel(device_profile_ids(profile_folders_), &window)),
       tuner_(window, prompts),
       sets_(coupling, undo) {
-  tuner_.ready = [this](Tuning tuning) { take(std::move(tuning)); };
-  tuner_.progressed = [this](const std::optional<StudyProgress>& progress) {
-    panel_->show_progress(progress);
-  };
-  tuner_.failed = [this](const QString& reason) {
-    if (failed) failed(reason);
-  };
-  sets_.switched = [this] { show_sets(); };
-  panel_->load_asked = [this] { ask_load(); };
-  panel_->compute_asked = [this] { compute(); };
-  panel_->stop_asked = [this] { stop(); };
-  panel_->save_asked = [this] { ask_save(); };
-  panel_->gains_asked = [this](GainAxis axis, double stiffness, double damping) {
-    set_gains(axis, stiffness, damping);
-  };
-  panel_->apply_asked = [this] { apply_recommended(); };
-  panel_->switch_asked = [this] { switch_gains(); };
+  connect(&tuner_, &Tuner::ready, this, &StiffnessControl::take);
+  connect(&tuner_, &Tuner::progressed, panel_, &StiffnessPanel::show_progress);
+  connect(&tuner_, &Tuner::failed, this, &StiffnessControl::failed);
+  connect(&sets_, &GainSets::switched, this, &StiffnessControl::show_sets);
+  connect(panel_, &StiffnessPanel::load_asked, this, &StiffnessControl::ask_load);
+  connect(panel_, &StiffnessPanel::compute_asked, this, &StiffnessControl::compute);
+  connect(panel_, &StiffnessPanel::stop_asked, this, &StiffnessControl::stop);
+  connect(panel_, &StiffnessPanel::save_asked, this, &StiffnessControl::ask_save);
+  connect(panel_, &StiffnessPanel::gains_asked, this, &StiffnessControl::set_gains);
+  connect(panel_, &StiffnessPanel::apply_asked, this, &StiffnessControl::apply_recommended);
+  connect(panel_, &StiffnessPanel::switch_asked, this, &StiffnessControl::switch_gains);
   keep_timer_.setSingleShot(true);
-  connect(&keep_timer_, &QTimer::timeout, this, [this] { write_gains(); });
+  connect(&keep_timer_, &QTimer::timeout, this, &StiffnessControl::write_gains);
   show_gains(coupling_.coupling());
 }
 
@@ -117,8 +112,8 @@ void StiffnessControl::restore_gains() {
     const bool others = !same(kept_[kept_active_], sets_.gains(sets_.active()));
     sets_.restore(kept_, kept_active_);
     keep_timer_.stop();
-    if (others && say)
-      say(QStringLiteral(
+    if (others)
+      emit say(QStringLiteral(
           "Gains as they were last, here and with this device; the Coupling dock has "
           "those of the scene."));
   } catch (const InputError& bad) {
@@ -144,7 +139,7 @@ void StiffnessControl::write_gains_now() {
   try {
     write_kept_gains(gains_file_, {kept_, kept_active_, scene_.coupling});
   } catch (const InputError& bad) {  // a full disk: what is felt is not affected
-    if (say) say(QString::fromUtf8(bad.what()));
+    emit say(QString::fromUtf8(bad.what()));
   }
 }
 
@@ -159,8 +154,8 @@ void StiffnessControl::show_sets() {
   if (session_ && !gains_file_.empty() && !keep_timer_.isActive()) keep_timer_.start(keep_ms);
 }
 
-void StiffnessControl::take(Tuning tuning) {
-  tuning_ = std::move(tuning);
+void StiffnessControl::take(const Tuning& tuning) {
+  tuning_ = tuning;
   panel_->show_tuning(tuning_);
 }
 
@@ -168,7 +163,7 @@ void StiffnessControl::frame(qint64 now) {
   if (!session_) return;
   for (Snapshot tick; session_->next_tick(tick);) {
     last_second_.add(tick);
-    if (ticked) ticked(tick);
+    emit ticked(tick);
     newest_ = tick.time;
     if (std::string kind = kind_of_contact(tick.separation); !kind.empty())
       newest_contact_ = std::move(kind);

@@ -5,7 +5,6 @@
 #include <QTimer>
 #include <array>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -25,6 +24,7 @@ class StiffnessPanel;
 /// Everything behind the stiffness dock: the tuning of the open pair, the two sets of gains, and
 /// the figures of the last second.
 class StiffnessControl : public QObject {
+  Q_OBJECT
  public:
   StiffnessControl(std::vector<std::filesystem::path> profile_folders, CouplingPanel& coupling,
                    QUndoStack& undo, Prompts& prompts, QWidget& window);
@@ -37,11 +37,6 @@ class StiffnessControl : public QObject {
   /// What the view says of it beside the force: whether it buzzes, and how far the gains are from
   /// the boundary of the present contact, where a map of this pair and device tells.
   const ForceNote& note() const { return note_; }
-
-  /// Called with each tick of the session, in its order.
-  std::function<void(const Snapshot&)> ticked;
-  /// A study could not be read or made: the reason was reported already.
-  std::function<void(const QString& reason)> failed;
 
   /// Another session was opened; null for none. `same_gains`: of the same scene, so that A and B
   /// stay.
@@ -59,7 +54,6 @@ class StiffnessControl : public QObject {
   void saved(const Scene& scene);
   /// Writes what a timer would in a moment: before the session, or the coupling's panel, has gone.
   void keep_gains();
-  std::function<void(const QString&)> say;  ///< in passing
   /// The gains have changed, by whatever.
   void show_gains(const Coupling& gains);
   /// With each frame, at so many ms.
@@ -78,9 +72,16 @@ class StiffnessControl : public QObject {
   void set_gains(GainAxis axis, double stiffness, double damping);
   void switch_gains();
 
+ signals:
+  /// Each tick of the session, in its order.
+  void ticked(const Snapshot& tick);
+  /// A study could not be read or made: the reason was reported already.
+  void failed(const QString& reason);
+  void say(const QString& what);  ///< in passing
+
  private:
   void show_sets();
-  void take(Tuning tuning);
+  void take(const Tuning& tuning);
   bool is_of_what_is_open() const;
   void restore_gains();
   void write_gains();

@@ -32,7 +32,8 @@ QString time_left_text(double seconds, std::size_t computed, std::size_t missing
 
 Tuner::Tuner(QWidget& window, Prompts& prompts)
     : prompts_(prompts), job_(&window), computing_(&window) {
-  computing_.watched = [this](double fraction) { look(fraction); };
+  computing_.stay_back();
+  connect(&computing_, &Job::progressed, this, &Tuner::look);
 }
 
 Tuner::~Tuner() = default;
@@ -41,7 +42,7 @@ void Tuner::abandon() {
   job_.abandon();
   if (!computing()) return;
   computing_.abandon();
-  if (progressed) progressed({});
+  emit progressed({});
 }
 
 void Tuner::load(const QString& folder, const LoadedScene& opened) {
@@ -67,7 +68,7 @@ void Tuner::begin(const QString& what, std::function<Tuning(const Progress&)> wo
       [tuning, work = std::move(work)](const Progress& progress) { *tuning = work(progress); },
       [this, tuning](const std::exception_ptr& error) {
         if (error) return complain(error);
-        ready(std::move(*tuning));
+        emit ready(*tuning);
       });
 }
 
@@ -85,8 +86,8 @@ void Tuner::compute(const TuningOrder& order, const LoadedScene& opened) {
                                   [found](const Tuning& so_far) { found->put(so_far); }));
       },
       [this, found](const std::exception_ptr& error) {
-        if (progressed) progressed({});
-        if (auto last = found->take()) ready(std::move(*last));
+        emit progressed({});
+        if (auto last = found->take()) emit ready(*last);
         if (error) complain(error);
       });
   look(0);
@@ -103,31 +104,31 @@ void Tuner::look(double fraction) {
       since_first_.start();
     }
     newest_at_ = 1e-3 * double(since_first_.elapsed());
-    ready(std::move(*so_far));
+    emit ready(*so_far);
   }
-  if (!progressed) return;
   // By the rows once there are any, before that by the part of the work.
   const double elapsed = 1e-3 * double(since_start_.elapsed());
   const QString by_part = time_left_text(elapsed, (fraction - done_before_) / (1 - done_before_));
   const auto after_comma = [](const QString& left) { return left.isEmpty() ? left : ", " + left; };
   if (rows_ == 0)
-    return progressed(StudyProgress{
+    return emit progressed(StudyProgress{
         fraction, QStringLiteral("For %1: contacts and a first look, then the first row%2")
                       .arg(device_, after_comma(by_part))});
   const double now = 1e-3 * double(since_first_.elapsed());
   const QString by_rows =
       time_left_text(newest_at_, rows_ - first_, of_rows_ - rows_, now - newest_at_);
-  progressed(StudyProgress{fraction, QStringLiteral("For %1: %2 of %3 rows%4")
-                                         .arg(device_)
-                                         .arg(rows_)
-                                         .arg(of_rows_)
-                                         .arg(after_comma(by_rows.isEmpty() ? by_part : by_rows))});
+  emit progressed(
+      StudyProgress{fraction, QStringLiteral("For %1: %2 of %3 rows%4")
+                                  .arg(device_)
+                                  .arg(rows_)
+                                  .arg(of_rows_)
+                                  .arg(after_comma(by_rows.isEmpty() ? by_part : by_rows))});
 }
 
 void Tuner::complain(const std::exception_ptr& error) {
   const QString reason = reason_of(error);
   if (!reason.isEmpty() && prompts_.report_error) prompts_.report_error(reason);
-  if (failed) failed(reason);
+  emit failed(reason);
 }
 
 }  // namespace sonde::ui

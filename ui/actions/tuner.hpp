@@ -17,6 +17,7 @@ namespace sonde::ui {
 /// rows are told of as they are found. On bad input, or when the user stops it, it reports only the
 /// reason.
 class Tuner : public QObject {
+  Q_OBJECT
  public:
   Tuner(QWidget& window, Prompts& prompts);
   ~Tuner() override;
@@ -29,10 +30,11 @@ class Tuner : public QObject {
   void stop() { computing_.cancel(); }
   void abandon();  ///< the pair it is about has gone
 
-  std::function<void(Tuning)> ready;  ///< also with each row that is found
-  std::function<void(const std::optional<StudyProgress>&)> progressed;  ///< none: it has ended
+ signals:
+  void ready(const Tuning& tuning);  ///< also with each row that is found
+  void progressed(const std::optional<StudyProgress>& progress);  ///< none: it has ended
   /// Nothing was loaded: the reason (empty if the user gave up) was reported already.
-  std::function<void(const QString& reason)> failed;
+  void failed(const QString& reason);
 
  private:
   struct Found;

@@ -60,8 +60,8 @@ bool ViewPick::release(const QMouseEvent& event) {
   pressed_ = false;
   const bool taken = grip_ || measuring_;
   if (!grip_ && length(event.localPos() - from_) < still) {
-    if (measuring_ && picked) picked(from_);
-    if (!measuring_ && clicked) clicked(from_);
+    if (measuring_) emit picked(from_);
+    if (!measuring_) emit clicked(from_);
   }
   grip_.reset();
   return taken;
@@ -74,11 +74,11 @@ void ViewPick::drag_cut(QPointF by) {
   const double far = follow(*handles, *grip_, on_screen, by);
   const Vec3 axis = handles->axes.col(grip_->axis);
   if (!grip_->turns) {
-    if (cut_moved) cut_moved(far);
+    emit cut_moved(far);
     return;
   }
   grip_->at = handles->centre + Eigen::AngleAxisd(far, axis) * (grip_->at - handles->centre);
-  if (cut_turned) cut_turned(axis * far);
+  emit cut_turned(axis * far);
 }
 
 }  // namespace sonde::ui

@@ -3,7 +3,6 @@
 
 #include <QObject>
 #include <QPointF>
-#include <functional>
 #include <optional>
 
 #include "ui/document/handles.hpp"
@@ -17,6 +16,7 @@ class Viewport;
 /// The actions of the left button in the view before it moves the probe: it grabs the cut plane,
 /// picks points while measuring, and chooses a clicked contact.
 class ViewPick : public QObject {
+  Q_OBJECT
  public:
   /// To be made after what moves the probe: it sees the mouse first.
   ViewPick(Viewport& viewport, QObject* parent);
@@ -25,10 +25,11 @@ class ViewPick : public QObject {
   void set_measuring(bool on) { measuring_ = on; }
   bool measuring() const { return measuring_; }
 
-  std::function<void(QPointF)> picked;               ///< a point to measure
-  std::function<void(QPointF)> clicked;              ///< neither dragged nor measured
-  std::function<void(double along)> cut_moved;       ///< m along its normal
-  std::function<void(const Vec3& turn)> cut_turned;  ///< axis times angle
+ signals:
+  void picked(QPointF at);            ///< a point to measure
+  void clicked(QPointF at);           ///< neither dragged nor measured
+  void cut_moved(double along);       ///< m along its normal
+  void cut_turned(const Vec3& turn);  ///< axis times angle
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

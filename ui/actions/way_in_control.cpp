@@ -108,29 +108,28 @@ struct WayInControl::MapWork {
   }
 };
 
-WayInControl::WayInControl(Viewport& viewport, QMainWindow& window, QDockWidget& beside,
-                           Window hooks)
+WayInControl::WayInControl(Viewport& viewport, QMainWindow& window, QDockWidget& beside)
     : QObject(&window),
       viewport_(viewport),
       panel_(new WayInPanel(&window)),
-      window_(std::move(hooks)),
       job_(&window),
       map_job_(&window),
       flight_(viewport, this) {
   window.addDockWidget(window.dockWidgetArea(&beside), panel_);
-  panel_->compute_wanted = [this] { compute(); };
-  panel_->stop_wanted = [this] { stop(); };
-  panel_->first_wanted = [this] { to_first_contact(); };
-  panel_->play_wanted = [this](bool on) { play(on); };
-  panel_->sought = [this](double travel) { seek(travel); };
-  panel_->pick_wanted = [this](WayPick what) { pick(what); };
-  panel_->map_asked = [this] { compute_map(); };
-  panel_->map_stop_wanted = [this] { map_job_.cancel(); };
-  panel_->map_place_wanted = [this](const MapPlace& place) { to_map_place(place); };
-  map_job_.watched = [this](double fraction) { panel_->show_map_progress(fraction); };
-  job_.watched = [this](double fraction) { panel_->show_progress(fraction); };
+  connect(panel_, &WayInPanel::compute_wanted, this, &WayInControl::compute);
+  connect(panel_, &WayInPanel::stop_wanted, this, &WayInControl::stop);
+  connect(panel_, &WayInPanel::first_wanted, this, &WayInControl::to_first_contact);
+  connect(panel_, &WayInPanel::play_wanted, this, &WayInControl::play);
+  connect(panel_, &WayInPanel::sought, this, &WayInControl::seek);
+  connect(panel_, &WayInPanel::pick_wanted, this, &WayInControl::pick);
+  connect(panel_, &WayInPanel::map_asked, this, &WayInControl::compute_map);
+  connect(panel_, &WayInPanel::map_stop_wanted, &map_job_, &Job::cancel);
+  connect(panel_, &WayInPanel::map_place_wanted, this, &WayInControl::to_map_place);
+  for (Job* job : {&job_, &map_job_}) job->stay_back();
+  connect(&job_, &Job::progressed, panel_, &WayInPanel::show_progress);
+  connect(&map_job_, &Job::progressed, panel_, &WayInPanel::show_map_progress);
   steps_.setInterval(step_ms);
-  connect(&steps_, &QTimer::timeout, this, [this] { step_on(); });
+  connect(&steps_, &QTimer::timeout, this, &WayInControl::step_on);
 }
 
 void WayInControl::attach(Session* session, bool same_document) {
@@ -220,7 +219,7 @@ void WayInControl::to_map_place(const MapPlace& place) {
   const double free = map_.free[place.offset * map_.at.tilts + place.tilt];
   const InsertionPath way = moved(map_way_, session_->loaded().pair, map_.at, offset, tilt);
   sent_.reset();
-  window_.place(way.poses.front());
+  emit place_wanted(way.poses.front());
   const LengthUnit unit(session_->probe().mass.radius);
   const QString how = free < 0              ? QStringLiteral("overlaps where it begins")
                       : free >= map_.wanted ? QStringLiteral("goes in")
@@ -272,7 +271,7 @@ void WayInControl::go_to(double travel, double seconds) {
   pace_ = way_.travel.back() * step_ms / (1000 * seconds);
   if (!sent_ || !same(session_->device_pose(), *sent_)) {
     at_ = 0;
-    window_.place(pose_at(way_, session_->loaded().pair, at_));
+    emit place_wanted(pose_at(way_, session_->loaded().pair, at_));
   }
   steps_.start();
   step_on();
@@ -294,7 +293,7 @@ void WayInControl::play(bool on) {
 
 void WayInControl::step_on() {
   at_ += std::clamp(goal_ - at_, -pace_, pace_);
-  window_.follow(pose_at(way_, session_->loaded().pair, at_));
+  emit follow_wanted(pose_at(way_, session_->loaded().pair, at_));
   sent_ = session_->device_pose();
   panel_->show_at(at_, words_at(at_));
   if (at_ != goal_) return;

@@ -4,7 +4,6 @@
 #include <QObject>
 #include <QPointF>
 #include <QTimer>
-#include <functional>
 #include <memory>
 #include <optional>
 
@@ -26,14 +25,10 @@ enum class WayPick;
 /// The way in: what `sonde insert` says of the open scene, from where the probe is; computed beside
 /// everything else, played and sought by the probe itself.
 class WayInControl : public QObject {
+  Q_OBJECT
  public:
-  /// What it asks of the window.
-  struct Window {
-    std::function<void(const Pose&)> follow;  ///< the hand goes there, as it would move
-    std::function<void(const Pose&)> place;   ///< the probe is there at once: a step of undo
-  };
   /// Its dock is added to the window, in the place of that one.
-  WayInControl(Viewport& viewport, QMainWindow& window, QDockWidget& beside, Window hooks);
+  WayInControl(Viewport& viewport, QMainWindow& window, QDockWidget& beside);
 
   WayInPanel& panel() { return *panel_; }
   /// Null: nothing is open. What is being computed is given up.
@@ -53,6 +48,10 @@ class WayInControl : public QObject {
   const std::optional<Insertion>& found() const { return found_; }
   const OffsetMap& map() const { return map_; }
 
+ signals:
+  void follow_wanted(const Pose& X_FM);  ///< the hand goes there, as it would move
+  void place_wanted(const Pose& X_FM);   ///< the probe is there at once: a step of undo
+
  private:
   struct Work;
   struct MapWork;
@@ -67,7 +66,6 @@ class WayInControl : public QObject {
 
   Viewport& viewport_;
   WayInPanel* panel_;
-  Window window_;
   Session* session_ = nullptr;
   Job job_, map_job_;
   Flight flight_;

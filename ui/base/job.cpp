@@ -44,7 +44,7 @@ struct Job::Task {
 };
 
 Job::Job(QWidget* window) : window_(window) {
-  connect(&timer_, &QTimer::timeout, this, [this] { poll(); });
+  connect(&timer_, &QTimer::timeout, this, &Job::poll);
 }
 
 Job::~Job() { abandon(); }
@@ -55,13 +55,13 @@ void Job::start(const QString& what, std::function<void(const Progress&)> work,
   auto task = std::make_shared<Task>();
   task->since.start();
   done_ = std::move(done);
-  if (!watched) {
+  if (!stays_back_) {
     dialog_ = new ProgressDialog(what, window_);
-    connect(dialog_, &QDialog::rejected, this, [this] { cancel(); });
+    connect(dialog_, &QDialog::rejected, this, &Job::cancel);
   }
   Task* shared = task.get();  // outlives the thread: its destructor joins
-  task->thread = std::thread([shared, stands_back = bool(watched), work = std::move(work)] {
-    if (stands_back) stand_back();  // behind the servo and the picture
+  task->thread = std::thread([shared, stays_back = stays_back_, work = std::move(work)] {
+    if (stays_back) stand_back();
     try {
       work([shared](double fraction) {
         shared->fraction = fraction;
@@ -87,7 +87,10 @@ void Job::poll() {
     finish(error);
     return;
   }
-  if (watched) return watched(current_->fraction);
+  if (stays_back_) {
+    emit progressed(current_->fraction);
+    return;
+  }
   if (current_->since.elapsed() < patience_ms) return;
   if (!dialog_->isVisible()) dialog_->show();
   dialog_->show_progress(current_->fraction, 1e-3 * double(current_->since.elapsed()));

@@ -25,6 +25,7 @@ QString reason_of(const std::exception_ptr& error);
 /// a lower priority than that. One piece of work at a time: starting another abandons the first,
 /// and its end is not reported.
 class Job : public QObject {
+  Q_OBJECT
  public:
   explicit Job(QWidget* window);
   ~Job() override;  ///< asks the work to stop and waits for it
@@ -38,8 +39,13 @@ class Job : public QObject {
   void abandon();
   /// As the dialog's button: ends in `done` with Cancelled. Nothing where nothing runs.
   void cancel();
-  /// Set before the start, it gets the fraction done in the window's thread, in place of a dialog.
-  std::function<void(double fraction)> watched;
+  /// Before the start: the work runs behind the servo and the picture, and progressed() takes the
+  /// place of a dialog.
+  void stay_back() { stays_back_ = true; }
+
+ signals:
+  /// The fraction done, in the window's thread, of work that stays back.
+  void progressed(double fraction);
 
  private:
   struct Task;
@@ -52,6 +58,7 @@ class Job : public QObject {
   std::vector<std::shared_ptr<Task>> abandoned_;  ///< still running out
   std::function<void(std::exception_ptr)> done_;
   ProgressDialog* dialog_ = nullptr;
+  bool stays_back_ = false;
 };
 
 }  // namespace sonde::ui

@@ -27,7 +27,7 @@ DeviceControl::DeviceControl(std::filesystem::path settings_folder,
       continue;
     }
   keep_timer_.setSingleShot(true);
-  connect(&keep_timer_, &QTimer::timeout, this, [this] { keep_settings(); });
+  connect(&keep_timer_, &QTimer::timeout, this, &DeviceControl::keep_settings);
   clock_.start();
 }
 
@@ -52,8 +52,8 @@ void DeviceControl::attach(Session* session) {
   of_scene_ = opened.servo;
   const auto* path = std::get_if<PathSource>(&source_);
   const bool without_path = path && path->file.empty() && opened.trajectory.empty();
-  if (without_path && report_error)
-    report_error(QStringLiteral("This scene has no recorded path: the mouse holds the probe."));
+  if (without_path)
+    emit failed(QStringLiteral("This scene has no recorded path: the mouse holds the probe."));
   if (!chosen_ && opened.device)
     take(SimulatedSource{*opened.device});
   else if (!chosen_ || without_path)
@@ -75,7 +75,7 @@ void DeviceControl::take(const InputSource& source) {
   }
   load_settings();
   hold();
-  if (changed) changed();
+  emit changed();
 }
 
 /// Hands the probe of the session over.
@@ -92,7 +92,7 @@ void DeviceControl::hold() {
   } catch (const std::invalid_argument& why) {
     source_ = MouseSource{};
     session_->hold_by_mouse();
-    if (report_error) report_error(QString::fromUtf8(why.what()));
+    emit failed(QString::fromUtf8(why.what()));
   }
 }
 
@@ -151,7 +151,7 @@ void DeviceControl::load_settings() {
     settings_ = read_device_settings(file);
   } catch (const InputError& bad) {
     damaged_ = file;
-    if (report_error) report_error(QString::fromUtf8(bad.what()));
+    emit failed(QString::fromUtf8(bad.what()));
   }
 }
 
@@ -164,7 +164,7 @@ void DeviceControl::set_settings(const DeviceSettings& settings) {
   }
   if (servo().rate_hz != rate_before) pace_simulated();
   if (!from_scene_ && !settings_file().empty()) keep_timer_.start(keep_after_ms);
-  if (changed) changed();
+  emit changed();
 }
 
 void DeviceControl::keep_settings() {
@@ -181,8 +181,7 @@ void DeviceControl::keep_settings() {
       write_whole(model, device_settings_text(settings_));
   } catch (const std::exception& why) {
     // Once: the next change of a slider would say the same.
-    if (!std::exchange(keeping_failed_, true) && report_error)
-      report_error(QString::fromUtf8(why.what()));
+    if (!std::exchange(keeping_failed_, true)) emit failed(QString::fromUtf8(why.what()));
   }
 }
 
@@ -195,7 +194,7 @@ void DeviceControl::set_grip(const SimulatedGrip& grip) {
     } catch (const std::invalid_argument&) {
       hold();  // says why
     }
-  if (changed) changed();
+  emit changed();
 }
 
 void DeviceControl::set_led(bool on) {
@@ -270,7 +269,7 @@ std::shared_ptr<MeasuredHand> DeviceControl::begin_measuring(const PulsePlan& pl
 void DeviceControl::end_measuring() {
   if (!measuring_) return;
   hold();
-  if (changed) changed();
+  emit changed();
 }
 
 }  // namespace sonde::ui

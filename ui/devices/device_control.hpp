@@ -5,7 +5,6 @@
 #include <QObject>
 #include <QTimer>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -37,6 +36,7 @@ struct SourceReport {
 /// What holds the probe of the open session: the choice of a device, its connection, and its
 /// settings, which are stored in a file for each device.
 class DeviceControl : public QObject {
+  Q_OBJECT
  public:
   /// Profiles that cannot be read are left out; choosing one by name gives the error.
   DeviceControl(std::filesystem::path settings_folder,
@@ -81,10 +81,11 @@ class DeviceControl : public QObject {
   bool measuring() const { return measuring_; }
   void end_measuring();
 
+ signals:
   /// Another source, or other settings than those last shown.
-  std::function<void()> changed;
+  void changed();
   /// Settings that could not be read or kept, a device that cannot be simulated.
-  std::function<void(const QString& reason)> report_error;
+  void failed(const QString& reason);
 
  private:
   void take(const InputSource& source);

@@ -80,13 +80,13 @@ void MouseProbe::settle() {
   grip_.reset();
   const std::optional<Pose> before = std::exchange(before_, std::nullopt);
   if (!before || (before->p == pose_.p && before->q.coeffs() == pose_.q.coeffs())) return;
-  if (settled) settled(*before, false);
+  emit settled(*before, false);
 }
 
 void MouseProbe::step(const std::function<void()>& move) {
   const Pose before = pose_;
   move();
-  if (settled && !before_) settled(before, true);
+  if (!before_) emit settled(before, true);
 }
 
 bool MouseProbe::drag(const QMouseEvent& event) {
@@ -186,7 +186,7 @@ bool MouseProbe::key(const QKeyEvent& event) {
 
 void MouseProbe::translate(const Vec3& by) {
   pose_.p += by;
-  if (moved) moved(pose_);
+  emit moved(pose_);
 }
 
 void MouseProbe::rotate(const Vec3& by) {
@@ -195,7 +195,7 @@ void MouseProbe::rotate(const Vec3& by) {
   const Vec3 centre = com();
   pose_.q = (Quat(Eigen::AngleAxisd(angle, by / angle)) * pose_.q).normalized();
   pose_.p = centre - pose_.q * mass_.com;
-  if (moved) moved(pose_);
+  emit moved(pose_);
 }
 
 }  // namespace sonde::ui

@@ -25,6 +25,7 @@ class Viewport;
 /// The probe follows the cursor: a drag across the picture moves it as far as the cursor, at its
 /// depth, times the gain. It turns about its centre of mass.
 class MouseProbe : public QObject {
+  Q_OBJECT
  public:
   MouseProbe(Viewport& viewport, QObject* parent);
 
@@ -34,11 +35,12 @@ class MouseProbe : public QObject {
   /// What keys do; the gain is that of the mouse alone.
   void set_nudge(const Nudge& nudge) { nudge_ = nudge; }
 
-  /// Called with each new device pose X_FM.
-  std::function<void(const Pose&)> moved;
+ signals:
+  /// With each new device pose.
+  void moved(const Pose& X_FM);
   /// A drag that began at that pose has ended, or a key or the wheel has moved the probe a step
   /// from there: many of those in quick succession are one motion.
-  std::function<void(const Pose& before, bool one_of_many)> settled;
+  void settled(const Pose& before, bool one_of_many);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

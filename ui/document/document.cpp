@@ -75,7 +75,7 @@ void Document::apply(const Content& from, const Content& to) {
     content_.scene.file = std::move(file);
     content_.scene.name = std::move(name);
   }
-  if (changed) changed(from, to);
+  emit changed(from, to);
 }
 
 void Document::save(const std::filesystem::path& file) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QObject>
 #include <QString>
 #include <QUndoStack>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,7 +34,8 @@ struct Content {
 
 /// The open scene: a value that undoable commands change, and that is saved and compared as a
 /// value. It shows nothing and computes nothing; changed() reports each change.
-class Document {
+class Document : public QObject {
+  Q_OBJECT
  public:
   Document();
 
@@ -67,8 +68,9 @@ class Document {
   /// The scene as text, independent of its file: equal texts are equal scenes.
   const std::string& text() const;
 
-  /// Called with each command that is done, undone or redone; content() is already `to`.
-  std::function<void(const Content& from, const Content& to)> changed;
+ signals:
+  /// With each command that is done, undone or redone; content() is already `to`.
+  void changed(const Content& from, const Content& to);
 
  private:
   friend class DocumentChange;

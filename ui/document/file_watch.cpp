@@ -12,7 +12,7 @@ constexpr int rest_ms = 300;  // for so long a file must not change before it is
 
 FileWatch::FileWatch() {
   connect(&watcher_, &QFileSystemWatcher::fileChanged, this, [this] { timer_.start(rest_ms); });
-  connect(&timer_, &QTimer::timeout, this, [this] { look(); });
+  connect(&timer_, &QTimer::timeout, this, &FileWatch::look);
 }
 
 void FileWatch::watch(const QStringList& files) {
@@ -55,8 +55,10 @@ void FileWatch::look() {
   }
   if (rests) timer_.stop();
   for (const QString& file : told) {
-    const auto& tell = known_.value(file).exists ? changed : vanished;
-    if (tell) tell(file);
+    if (known_.value(file).exists)
+      emit changed(file);
+    else
+      emit vanished(file);
     if (!known_.contains(file)) return;  // by now others are watched
   }
 }

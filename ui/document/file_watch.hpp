@@ -7,13 +7,13 @@
 #include <QObject>
 #include <QStringList>
 #include <QTimer>
-#include <functional>
 
 namespace sonde::ui {
 
 /// Reports files that others change. It waits until a file is no longer being written, and follows
 /// a file that is replaced by another of its name.
 class FileWatch : public QObject {
+  Q_OBJECT
  public:
   FileWatch();
 
@@ -23,8 +23,9 @@ class FileWatch : public QObject {
   /// Whether a watched file has changed, and that has not been reported yet.
   bool has_untold(const QString& file) const;
 
-  std::function<void(const QString& file)> changed;
-  std::function<void(const QString& file)> vanished;  ///< once, until it is there again
+ signals:
+  void changed(const QString& file);
+  void vanished(const QString& file);  ///< once, until it is there again
 
  private:
   struct Stamp {

@@ -166,17 +166,13 @@ void AccuracyPanel::build_knob(QVBoxLayout& layout) {
   kind(Knob::accuracy, "Accuracy", "knob_accuracy",
        "Nine in ten ticks should be so accurate; the time follows");
   kind(Knob::none, "No limit", "knob_none", "Each tick takes the time that it needs");
-  connect(kinds_, &QButtonGroup::idClicked, this, [this](int id) {
-    if (kind_chosen) kind_chosen(static_cast<Knob>(id));
-  });
+  connect(kinds_, &QButtonGroup::idClicked, this,
+          [this](int id) { emit kind_chosen(static_cast<Knob>(id)); });
   time_ = new SliderRow(time_setting, content);
-  time_->changed = [this](double value) {
-    if (time_changed) time_changed(value);
-  };
+  connect(time_, &SliderRow::changed, this, &AccuracyPanel::time_changed);
   accuracy_ = new SliderRow(accuracy_setting, content);
-  accuracy_->changed = [this](double value) {
-    if (accuracy_changed) accuracy_changed(value / per_cent);
-  };
+  connect(accuracy_, &SliderRow::changed, this,
+          [this](double value) { emit accuracy_changed(value / per_cent); });
   layout.addWidget(time_);
   layout.addWidget(accuracy_);
 }
@@ -216,9 +212,8 @@ void AccuracyPanel::build_search(QVBoxLayout& layout) {
   for (const double share : {0.5, 0.9, 0.99})
     sure_->addItem(QStringLiteral("%1 %").arg(per_cent * share), share);
   sure_->setCurrentIndex(sure_->findData(usually_sure));
-  connect(sure_, QOverload<int>::of(&QComboBox::activated), this, [this] {
-    if (sure_changed) sure_changed(sure_->currentData().toDouble());
-  });
+  connect(sure_, QOverload<int>::of(&QComboBox::activated), this,
+          [this] { emit sure_changed(sure_->currentData().toDouble()); });
   form->addRow(QStringLiteral("sure"), sure_);
   claim_ = add_value(*form, "claim", "search_claim",
                      "How much deeper than the least depth the nearest way out of the last search "

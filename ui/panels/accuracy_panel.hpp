@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QDockWidget>
-#include <functional>
 #include <optional>
 
 #include "engine/calibration/knob.hpp"
@@ -32,6 +31,7 @@ struct Expected {
 /// The dock of the one knob: the time of a tick or the accuracy that it should have, the accuracy
 /// to expect of it, and what the last ticks reached, with where their time went.
 class AccuracyPanel : public QDockWidget {
+  Q_OBJECT
  public:
   explicit AccuracyPanel(QWidget* parent = nullptr);
 
@@ -47,11 +47,13 @@ class AccuracyPanel : public QDockWidget {
 
   /// Which of the three is given: nothing, a time, an accuracy.
   enum class Knob { none, time, accuracy };
+
+ signals:
   /// Another kind was chosen; its value follows from the present one.
-  std::function<void(Knob)> kind_chosen;
-  std::function<void(double time_us)> time_changed;
-  std::function<void(double share)> accuracy_changed;
-  std::function<void(double share)> sure_changed;
+  void kind_chosen(Knob kind);
+  void time_changed(double time_us);
+  void accuracy_changed(double share);
+  void sure_changed(double share);
 
  private:
   void build_knob(QVBoxLayout& layout);

@@ -35,7 +35,7 @@ AxisTable::AxisTable(QWidget* parent) : QWidget(parent) {
       box->setToolTip(text(setting(key).doc));
       box->setButtonSymbols(QAbstractSpinBox::NoButtons);
       box->setFixedWidth(40);
-      connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this] { report(); });
+      connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &AxisTable::report);
       return box;
     };
     Row& row = rows_[i];
@@ -59,8 +59,8 @@ AxisTable::AxisTable(QWidget* parent) : QWidget(parent) {
     grid->addWidget(row.gain, line, 3);
     grid->addWidget(row.dead_zone, line, 4);
     grid->addWidget(row.expo, line, 5);
-    connect(row.from, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { report(); });
-    connect(row.inverted, &QCheckBox::toggled, this, [this] { report(); });
+    connect(row.from, qOverload<int>(&QComboBox::currentIndexChanged), this, &AxisTable::report);
+    connect(row.inverted, &QCheckBox::toggled, this, &AxisTable::report);
   }
 }
 
@@ -87,7 +87,7 @@ void AxisTable::report() {
                     .gain = rows_[i].gain->value(),
                     .dead_zone = rows_[i].dead_zone->value(),
                     .expo = rows_[i].expo->value()};
-  if (changed) changed(axes);
+  emit changed(axes);
 }
 
 }  // namespace sonde::ui

@@ -3,7 +3,6 @@
 
 #include <QWidget>
 #include <array>
-#include <functional>
 
 #include "engine/devices/axis_map.hpp"
 
@@ -17,13 +16,16 @@ class TypedValue;
 /// The six axes of a device, a row each: the device axis that drives it, whether it is inverted,
 /// gain, dead zone and curve. Object names: axis_KEY_from, _inverted, _gain, _dead_zone, _expo.
 class AxisTable : public QWidget {
+  Q_OBJECT
  public:
   explicit AxisTable(QWidget* parent);
 
   /// Shows the axes without reporting them. Dead zones and curves are for deflections.
   void show_axes(const AxisMap& axes, bool deflections);
-  /// Called with each change.
-  std::function<void(const AxisMap&)> changed;
+
+ signals:
+  /// With each change.
+  void changed(const AxisMap& axes);
 
  private:
   struct Row {

@@ -85,13 +85,13 @@ ClashPanel::ClashPanel(QWidget* parent)
   layout->addWidget(summary_);
   layout->addWidget(rows_, 1);
   setWidget(content);
-  work_->start_wanted = [this] { find_wanted(); };
-  work_->stop_wanted = [this] { stop_wanted(); };
+  connect(work_, &WorkRow::start_wanted, this, &ClashPanel::find_wanted);
+  connect(work_, &WorkRow::stop_wanted, this, &ClashPanel::stop_wanted);
   connect(rows_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* row) {
-    chosen(static_cast<std::size_t>(rows_->indexOfTopLevelItem(row)));
+    emit chosen(static_cast<std::size_t>(rows_->indexOfTopLevelItem(row)));
   });
   connect(rows_, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* row) {
-    chosen(static_cast<std::size_t>(rows_->indexOfTopLevelItem(row)));
+    emit chosen(static_cast<std::size_t>(rows_->indexOfTopLevelItem(row)));
   });
   take(0.05);
 }

@@ -3,7 +3,6 @@
 
 #include <QDockWidget>
 #include <QStringList>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -21,6 +20,7 @@ class WorkRow;
 /// The dock of clashes: how each two of the parts and the probe stand to each other, the deepest
 /// first, and how to part them.
 class ClashPanel : public QDockWidget {
+  Q_OBJECT
  public:
   explicit ClashPanel(QWidget* parent = nullptr);
 
@@ -34,8 +34,10 @@ class ClashPanel : public QDockWidget {
   void show_clashes(const std::vector<AssemblyPart>& parts, const std::vector<Clash>& found);
   void show_reason(const QString& reason);
 
-  std::function<void()> find_wanted, stop_wanted;
-  std::function<void(std::size_t clash)> chosen;
+ signals:
+  void find_wanted();
+  void stop_wanted();
+  void chosen(std::size_t clash);
 
  private:
   QTreeWidget* rows_;

@@ -57,7 +57,7 @@ ContactsPanel::ContactsPanel(QWidget* parent)
   layout->addWidget(rows_);
   layout->addWidget(summary_);
   setWidget(content);
-  connect(rows_, &QTreeWidget::itemSelectionChanged, this, [this] { on_selection(); });
+  connect(rows_, &QTreeWidget::itemSelectionChanged, this, &ContactsPanel::on_selection);
 }
 
 void ContactsPanel::take(const Pair& pair) {
@@ -116,7 +116,7 @@ void ContactsPanel::on_selection() {
   if (filling_) return;
   const auto selected = rows_->selectedItems();
   chosen_ = selected.isEmpty() ? 0 : id_of(*selected.front());
-  if (chosen_changed) chosen_changed(chosen_);
+  emit chosen_changed(chosen_);
 }
 
 }  // namespace sonde::ui

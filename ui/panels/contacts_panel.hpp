@@ -3,7 +3,6 @@
 
 #include <QDockWidget>
 #include <cstdint>
-#include <functional>
 #include <optional>
 
 #include "engine/haptics/coupling/coupling.hpp"
@@ -19,6 +18,7 @@ namespace sonde::ui {
 /// The dock of contacts: the clusters that carry the separation, the largest share first. The
 /// chosen row is marked in the view, and a contact chosen in the view chooses its row.
 class ContactsPanel : public QDockWidget {
+  Q_OBJECT
  public:
   explicit ContactsPanel(QWidget* parent = nullptr);
 
@@ -29,7 +29,8 @@ class ContactsPanel : public QDockWidget {
   void choose(std::uint64_t id);
   std::uint64_t chosen() const { return chosen_; }
 
-  std::function<void(std::uint64_t id)> chosen_changed;
+ signals:
+  void chosen_changed(std::uint64_t id);
 
  private:
   void on_selection();

@@ -90,11 +90,11 @@ void CouplingPanel::build() {
   layout->addWidget(mode_doc_);
   for (const Setting& setting : coupling_settings()) {
     auto* row = new SliderRow(setting, content);
-    row->changed = [this, row](double value) {
+    connect(row, &SliderRow::changed, this, [this, row](double value) {
       Coupling wanted = coupling_;
       set(wanted, row->setting().key, value);
       request(wanted, row->setting().label);
-    };
+    });
     rows_.push_back(row);
     layout->addWidget(row);
   }
@@ -111,9 +111,7 @@ void CouplingPanel::build() {
   auto* mouse_layout = new QVBoxLayout(mouse);
   mouse_layout->setContentsMargins(0, 4, 0, 0);
   auto* gain = new SliderRow(mouse_gain, mouse);
-  gain->changed = [this](double value) {
-    if (mouse_gain_changed) mouse_gain_changed(value);
-  };
+  connect(gain, &SliderRow::changed, this, &CouplingPanel::mouse_gain_changed);
   mouse_layout->addWidget(gain);
   layout->addWidget(mouse);
   layout->addStretch();
@@ -140,7 +138,7 @@ void CouplingPanel::request(const Coupling& wanted, const char* what) {
 void CouplingPanel::apply(const Coupling& coupling) {
   coupling_ = coupling;
   show_values();
-  if (changed) changed(coupling_);
+  emit changed(coupling_);
 }
 
 void CouplingPanel::show_values() {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QDockWidget>
-#include <functional>
 #include <vector>
 
 #include "engine/haptics/coupling/coupling.hpp"
@@ -18,6 +17,7 @@ class SliderRow;
 /// The dock of gains: the mode of the coupling and a slider with a typed value for each setting of
 /// the table. It hides rows that the mode does not use. Every change can be undone.
 class CouplingPanel : public QDockWidget {
+  Q_OBJECT
  public:
   explicit CouplingPanel(QUndoStack& undo, QWidget* parent = nullptr);
 
@@ -32,9 +32,10 @@ class CouplingPanel : public QDockWidget {
   /// The same without an undo step, for callers that have their own.
   void apply(const Coupling& coupling);
 
-  /// Called immediately with every change.
-  std::function<void(const Coupling&)> changed;
-  std::function<void(double)> mouse_gain_changed;
+ signals:
+  /// Immediately, with every change.
+  void changed(const Coupling& coupling);
+  void mouse_gain_changed(double gain);
 
  private:
   void build();

@@ -25,7 +25,7 @@ CurvesDialog::CurvesDialog(QWidget* parent) : QDialog(parent) {
       "for the rise of a force, without a hand. Save… writes these curves with their numbers."));
   layout->addWidget(words_);
   connect(choice_, qOverload<int>(&QComboBox::currentIndexChanged), this,
-          [this] { show_chosen(); });
+          &CurvesDialog::show_chosen);
 }
 
 void CurvesDialog::show_curves(const QString& device, const std::vector<DeviceCurves>& curves) {

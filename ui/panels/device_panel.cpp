@@ -95,8 +95,8 @@ void DevicePanel::build_choice(QVBoxLayout& layout) {
   layout.addWidget(sources_);
   connect(sources_, qOverload<int>(&QComboBox::activated), this, [this](int i) {
     const auto at = static_cast<std::size_t>(i);
-    if (at < choices_.size() && chosen) chosen(choices_[at]);
-    if (at >= choices_.size() && path_wanted) path_wanted();
+    if (at < choices_.size()) emit chosen(choices_[at]);
+    if (at >= choices_.size()) emit path_wanted();
   });
 }
 
@@ -139,18 +139,14 @@ void DevicePanel::build_state(QVBoxLayout& layout) {
   layout.addWidget(numbers_);
   led_ = new QCheckBox(QStringLiteral("Light"), this);
   led_->setObjectName(QStringLiteral("device_led"));
-  connect(led_, &QCheckBox::toggled, this, [this](bool on) {
-    if (led_switched) led_switched(on);
-  });
+  connect(led_, &QCheckBox::toggled, this, &DevicePanel::led_switched);
   layout.addWidget(led_);
   measure_ = new QPushButton(QStringLiteral("Measure device…"), this);
   measure_->setObjectName(QStringLiteral("measure_device"));
   measure_->setToolTip(QStringLiteral(
       "Mass, damping, friction, delay and encoder step, by small pulses of force and torque. It "
       "asks first."));
-  connect(measure_, &QPushButton::clicked, this, [this] {
-    if (measure_asked) measure_asked();
-  });
+  connect(measure_, &QPushButton::clicked, this, &DevicePanel::measure_asked);
   layout.addWidget(measure_);
 }
 
@@ -189,9 +185,9 @@ void DevicePanel::build_motion(QVBoxLayout& layout) {
   box->addWidget(choices_row_);
   for (const Setting& setting : device_settings()) {
     auto* row = new SliderRow(setting, motion_box_);
-    row->changed = [this, row](double value) {
+    connect(row, &SliderRow::changed, this, [this, row](double value) {
       change([&](DeviceSettings& s) { set(s, row->setting().key, value); });
-    };
+    });
     rows_.push_back(row);
     box->addWidget(row);
   }
@@ -203,9 +199,8 @@ void DevicePanel::build_loop(QVBoxLayout& layout) {
   auto* box = new QVBoxLayout(group);
   box->setContentsMargins(0, 4, 0, 0);
   rate_row_ = new SliderRow(*find_setting(servo_settings(), "rate_hz"), group);
-  rate_row_->changed = [this](double value) {
-    change([&](DeviceSettings& s) { s.rate_hz = value; });
-  };
+  connect(rate_row_, &SliderRow::changed, this,
+          [this](double value) { change([&](DeviceSettings& s) { s.rate_hz = value; }); });
   box->addWidget(rate_row_);
   const Setting& control = *find_setting(servo_settings(), "passivity_control");
   passivity_ = new QCheckBox(text(control.label), group);
@@ -244,18 +239,17 @@ void DevicePanel::build_axes(QVBoxLayout& layout) {
   for (const Setting& setting : axis_settings()) {
     auto* row = new SliderRow(setting, axes_box_);
     row->setToolTip(text(setting.doc) + QStringLiteral(" This sets all six."));
-    row->changed = [this, row](double value) {
+    connect(row, &SliderRow::changed, this, [this, row](double value) {
       change([&](DeviceSettings& s) {
         for (AxisSetting& axis : s.axes.axes) set(axis, row->setting().key, value);
       });
-    };
+    });
     axis_rows_.push_back(row);
     box->addWidget(row);
   }
   axes_ = new AxisTable(axes_box_);
-  axes_->changed = [this](const AxisMap& axes) {
-    change([&](DeviceSettings& s) { s.axes = axes; });
-  };
+  connect(axes_, &AxisTable::changed, this,
+          [this](const AxisMap& axes) { change([&](DeviceSettings& s) { s.axes = axes; }); });
   box->addWidget(axes_);
   auto* defaults = new QPushButton(QStringLiteral("Defaults"), axes_box_);
   defaults->setObjectName(QStringLiteral("device_defaults"));
@@ -268,7 +262,7 @@ void DevicePanel::build_axes(QVBoxLayout& layout) {
 void DevicePanel::change(const std::function<void(DeviceSettings&)>& how) {
   how(settings_);
   show_rows();
-  if (settings_changed) settings_changed(settings_);
+  emit settings_changed(settings_);
 }
 
 void DevicePanel::show_choices(const std::vector<InputSource>& choices,

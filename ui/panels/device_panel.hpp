@@ -26,6 +26,7 @@ class SliderRow;
 /// The dock of the device: what holds the probe, what else could hold it, the state of a connected
 /// device, and how it moves the probe. It hides settings that do not apply to the device.
 class DevicePanel : public QDockWidget {
+  Q_OBJECT
  public:
   explicit DevicePanel(QWidget* parent = nullptr);
 
@@ -41,14 +42,16 @@ class DevicePanel : public QDockWidget {
   void show_real_time(const RealTime& granted);
   void show_energy(const HandEnergy& energy);
 
-  std::function<void(const InputSource&)> chosen;
-  std::function<void()> path_wanted;  ///< one from a file
-  /// Called immediately with every change.
-  std::function<void(const DeviceSettings&)> settings_changed;
-  std::function<void(bool)> led_switched;
-  std::function<void()> measure_asked;  ///< of what holds the probe
   /// The hand on a simulated device; hidden while something else holds the probe.
   GripBox& grip() { return *grip_; }
+
+ signals:
+  void chosen(const InputSource& source);
+  void path_wanted();  ///< one from a file
+  /// Immediately, with every change.
+  void settings_changed(const DeviceSettings& settings);
+  void led_switched(bool on);
+  void measure_asked();  ///< of what holds the probe
 
  private:
   void build_choice(QVBoxLayout& layout);

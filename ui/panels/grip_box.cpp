@@ -28,11 +28,11 @@ GripBox::GripBox(QWidget* parent)
   box->addLayout(buttons);
   for (const Setting& setting : grip_settings()) {
     auto* row = new SliderRow(setting, this);
-    row->changed = [this, row](double value) {
+    connect(row, &SliderRow::changed, this, [this, row](double value) {
       SimulatedGrip grip = grip_;
       set(grip, row->setting().key, value);
       change(grip);
-    };
+    });
     rows_.push_back(row);
     box->addWidget(row);
   }
@@ -41,7 +41,7 @@ GripBox::GripBox(QWidget* parent)
 
 void GripBox::change(const SimulatedGrip& grip) {
   show_grip(grip);
-  if (changed) changed(grip);
+  emit changed(grip);
 }
 
 void GripBox::show_grip(const SimulatedGrip& grip) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QGroupBox>
-#include <functional>
 #include <vector>
 
 #include "ui/devices/hand_grip.hpp"
@@ -16,11 +15,14 @@ class SliderRow;
 /// The hand on a simulated device: a button for each named grip, and a slider for each of its
 /// figures. The button of the grip that the sliders have is pressed.
 class GripBox : public QGroupBox {
+  Q_OBJECT
  public:
   explicit GripBox(QWidget* parent);
   void show_grip(const SimulatedGrip& grip);
-  /// Called immediately with every change.
-  std::function<void(const SimulatedGrip&)> changed;
+
+ signals:
+  /// Immediately, with every change.
+  void changed(const SimulatedGrip& grip);
 
  private:
   void change(const SimulatedGrip& grip);

@@ -288,12 +288,12 @@ void MapPlot::mousePressEvent(QMouseEvent* event) {
   const bool on_map = !map_.rows.empty() && area().contains(event->localPos());
   if (event->button() != Qt::LeftButton || !on_map) return ChartCanvas::mousePressEvent(event);
   dragging_ = true;
-  if (asked) asked(point_at(event->localPos()));
+  emit asked(point_at(event->localPos()));
 }
 
 void MapPlot::mouseMoveEvent(QMouseEvent* event) {
   const bool held = event->buttons() & Qt::LeftButton;
-  if (held && dragging_ && asked) asked(point_at(event->localPos()));
+  if (held && dragging_) emit asked(point_at(event->localPos()));
   dragging_ = dragging_ && held;
   setCursor(!map_.rows.empty() && area().contains(event->localPos()) ? Qt::CrossCursor
                                                                      : Qt::ArrowCursor);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,6 +21,7 @@ class ChartLegend;
 /// its edge. The contact that holds the probe now is marked: the names of its rows, and its own
 /// boundary. A click, or a drag with the left button, asks for the gains there.
 class MapPlot : public ChartCanvas {
+  Q_OBJECT
  public:
   explicit MapPlot(QWidget* parent);
   ~MapPlot() override;
@@ -43,12 +43,14 @@ class MapPlot : public ChartCanvas {
   /// The gains at a place, px, brought into the map; stiffness to three digits, as it is shown. On
   /// a map of situations the damping is 0.
   MapPoint point_at(const QPointF& at) const;
-  std::function<void(const MapPoint&)> asked;
   /// The map's class at that place; on a map of situations the worst; none outside the map.
   std::optional<MapClass> map_class(const MapPoint& point) const;
 
   QSize sizeHint() const override { return {330, 310}; }
   QSize minimumSizeHint() const override { return {270, 280}; }
+
+ signals:
+  void asked(const MapPoint& point);
 
  protected:
   void arrange(double ratio) override;

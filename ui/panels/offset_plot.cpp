@@ -169,8 +169,8 @@ void OffsetPlot::mousePressEvent(QMouseEvent* event) {
                     static_cast<std::size_t>(std::max(0.0, part) * static_cast<double>(count)));
   };
   const QPointF from = event->localPos();
-  asked({at((from.x() - all.left()) / all.width(), map_.at.offsets),
-         at((all.bottom() - from.y()) / all.height(), map_.at.tilts)});
+  emit asked({at((from.x() - all.left()) / all.width(), map_.at.offsets),
+              at((all.bottom() - from.y()) / all.height(), map_.at.tilts)});
 }
 
 }  // namespace sonde::ui

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,6 +28,7 @@ struct MapPlace {
 /// A map of offsets to either side by tilts: a cell for each, in the colour of whether it goes in.
 /// A click asks for a point.
 class OffsetPlot : public ChartCanvas {
+  Q_OBJECT
  public:
   explicit OffsetPlot(QWidget* parent);
   ~OffsetPlot() override;
@@ -37,9 +37,11 @@ class OffsetPlot : public ChartCanvas {
   const OffsetMap& map() const { return map_; }
   /// The middle of a point's cell, px.
   QPointF place_of(const MapPlace& place) const;
-  std::function<void(const MapPlace&)> asked;
   QSize sizeHint() const override { return {240, 240}; }
   QSize minimumSizeHint() const override { return {200, 190}; }
+
+ signals:
+  void asked(const MapPlace& place);
 
  protected:
   void arrange(double ratio) override;

@@ -77,19 +77,19 @@ PartsPanel::PartsPanel(QWidget* parent)
   setWidget(content);
   connect(rows_, &QTreeWidget::itemSelectionChanged, this, [this] {
     update_buttons();
-    if (!filling_ && chosen_changed) chosen_changed(chosen());
+    if (!filling_) emit chosen_changed(chosen());
   });
   connect(rows_, &QTreeWidget::itemChanged, this, &PartsPanel::on_changed);
-  connect(add_, &QPushButton::clicked, this, [this] { add_wanted(); });
-  connect(swap_, &QPushButton::clicked, this, [this] { swap_wanted(); });
+  connect(add_, &QPushButton::clicked, this, &PartsPanel::add_wanted);
+  connect(swap_, &QPushButton::clicked, this, &PartsPanel::swap_wanted);
   connect(remove_, &QPushButton::clicked, this, [this] {
-    if (const auto part = chosen()) remove_wanted(*part);
+    if (const auto part = chosen()) emit remove_wanted(*part);
   });
   connect(take_apart_, &QPushButton::clicked, this, [this] {
-    if (const auto part = chosen_or_only()) take_apart_wanted(*part);
+    if (const auto part = chosen_or_only()) emit take_apart_wanted(*part);
   });
   connect(colour_, &QPushButton::clicked, this, [this] {
-    if (const auto part = chosen()) colour_wanted(*part);
+    if (const auto part = chosen()) emit colour_wanted(*part);
   });
   show_nothing();
 }
@@ -173,9 +173,10 @@ std::optional<std::size_t> PartsPanel::chosen_or_only() const {
 void PartsPanel::on_changed(QTreeWidgetItem* row, int column) {
   if (filling_) return;
   const auto part = static_cast<std::size_t>(rows_->indexOfTopLevelItem(row));
-  if (column == part_name_at) rename_wanted(part, row->text(part_name_at));
-  if (column == part_shown_at) shown_wanted(part, row->checkState(part_shown_at) == Qt::Checked);
-  if (column == part_felt_at) felt_wanted(part, row->checkState(part_felt_at) == Qt::Checked);
+  if (column == part_name_at) emit rename_wanted(part, row->text(part_name_at));
+  if (column == part_shown_at)
+    emit shown_wanted(part, row->checkState(part_shown_at) == Qt::Checked);
+  if (column == part_felt_at) emit felt_wanted(part, row->checkState(part_felt_at) == Qt::Checked);
 }
 
 void PartsPanel::update_buttons() {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QDockWidget>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -17,6 +16,7 @@ namespace sonde::ui {
 /// The dock of the fixed body's parts: names, colours, a tick for what is shown and one for what is
 /// felt. It shows the given body and reports the user's wishes.
 class PartsPanel : public QDockWidget {
+  Q_OBJECT
  public:
   explicit PartsPanel(QWidget* parent = nullptr);
 
@@ -26,11 +26,16 @@ class PartsPanel : public QDockWidget {
   void choose(std::optional<std::size_t> part);
   std::optional<std::size_t> chosen() const;
 
-  std::function<void()> add_wanted, swap_wanted;
-  std::function<void(std::size_t part)> remove_wanted, colour_wanted, take_apart_wanted;
-  std::function<void(std::size_t part, const QString& name)> rename_wanted;
-  std::function<void(std::size_t part, bool on)> shown_wanted, felt_wanted;
-  std::function<void(std::optional<std::size_t> part)> chosen_changed;
+ signals:
+  void add_wanted();
+  void swap_wanted();
+  void remove_wanted(std::size_t part);
+  void colour_wanted(std::size_t part);
+  void take_apart_wanted(std::size_t part);
+  void rename_wanted(std::size_t part, const QString& name);
+  void shown_wanted(std::size_t part, bool on);
+  void felt_wanted(std::size_t part, bool on);
+  void chosen_changed(std::optional<std::size_t> part);
 
  private:
   QPushButton* button(const QString& text, const char* object, const QString& doc);

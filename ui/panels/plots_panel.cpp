@@ -52,20 +52,18 @@ PlotsPanel::PlotsPanel(QWidget* parent) : QDockWidget(QStringLiteral("Plots"), p
   row->addWidget(values_, 1);
   charts_ = new TimeCharts(content);
   layout->addWidget(charts_, 1);
-  charts_->clicked = [this](double time) {
-    if (sought) sought(time);
-  };
-  charts_->hovered = [this](double time) {
+  connect(charts_, &TimeCharts::clicked, this, &PlotsPanel::sought);
+  connect(charts_, &TimeCharts::hovered, this, [this](double time) {
     hovered_ = time;
     read_out(time);
-  };
-  charts_->dragged = [this](double seconds) {
+  });
+  connect(charts_, &TimeCharts::dragged, this, [this](double seconds) {
     follow_->setChecked(false);
     from_ += seconds;
     to_ += seconds;
     dirty_ = true;
-  };
-  charts_->zoomed = [this](double factor, double about) { zoom(factor, about); };
+  });
+  connect(charts_, &TimeCharts::zoomed, this, &PlotsPanel::zoom);
   setWidget(content);
 }
 

@@ -3,7 +3,6 @@
 
 #include <QDockWidget>
 #include <array>
-#include <functional>
 #include <optional>
 
 #include "ui/panels/time_charts.hpp"
@@ -26,6 +25,7 @@ struct PlotState {
 /// The dock of curves over time: which ones, over how long a time, and their values at the cursor.
 /// It draws only while it is visible, and a few times a second.
 class PlotsPanel : public QDockWidget {
+  Q_OBJECT
  public:
   static constexpr double first_span = 10;  ///< s
   static constexpr double longest_span = 900, shortest_span = 0.01;
@@ -48,7 +48,8 @@ class PlotsPanel : public QDockWidget {
   TimeCharts& charts() { return *charts_; }
   std::size_t drawn() const { return drawn_; }  ///< pictures so far
 
-  std::function<void(double time)> sought;
+ signals:
+  void sought(double time);
 
  private:
   void build_menu(QMenu& menu);

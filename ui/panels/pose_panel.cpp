@@ -64,12 +64,10 @@ void PosePanel::build() {
     grid->addWidget(fields_.at(i), row, 1);
     connect(fields_.at(i), &QLineEdit::editingFinished, this, [this, i] { take(i); });
   }
-  const auto add = [&](const char* text, const char* object, std::function<void()>& pressed) {
+  const auto add = [&](const char* text, const char* object, void (PosePanel::*pressed)()) {
     auto* button = new QPushButton(QLatin1String(text), content);
     button->setObjectName(QLatin1String(object));
-    connect(button, &QPushButton::clicked, this, [&pressed] {
-      if (pressed) pressed();
-    });
+    connect(button, &QPushButton::clicked, this, pressed);
     return button;
   };
   matrix_ = new QPlainTextEdit(content);
@@ -82,11 +80,12 @@ void PosePanel::build() {
   matrix_->installEventFilter(this);
   layout->addWidget(matrix_);
   auto* buttons = new QGridLayout;
-  buttons->addWidget(add("Copy pose", "pose_copy", copy_wanted), 0, 0);
-  buttons->addWidget(add("Paste pose", "pose_paste", paste_wanted), 0, 1);
-  buttons->addWidget(add("Copy as NumPy", "pose_copy_matrix", copy_matrix_wanted), 1, 0);
-  buttons->addWidget(add("Start from here", "pose_start", start_wanted), 1, 1);
-  buttons->addWidget(add("Swap the bodies", "pose_swap", swap_wanted), 2, 0);
+  buttons->addWidget(add("Copy pose", "pose_copy", &PosePanel::copy_wanted), 0, 0);
+  buttons->addWidget(add("Paste pose", "pose_paste", &PosePanel::paste_wanted), 0, 1);
+  buttons->addWidget(add("Copy as NumPy", "pose_copy_matrix", &PosePanel::copy_matrix_wanted), 1,
+                     0);
+  buttons->addWidget(add("Start from here", "pose_start", &PosePanel::start_wanted), 1, 1);
+  buttons->addWidget(add("Swap the bodies", "pose_swap", &PosePanel::swap_wanted), 2, 0);
   layout->addLayout(buttons);
   build_snap(*content, *layout);
   build_nudge(*content, *layout);
@@ -118,7 +117,7 @@ void PosePanel::build_snap(QWidget& content, QVBoxLayout& layout) {
     button->setCheckable(true);
     row->addWidget(button);
     connect(button, &QPushButton::clicked, this, [this, i](bool on) {
-      if (snap_wanted) snap_wanted(on ? std::optional(static_cast<SnapKind>(i)) : std::nullopt);
+      emit snap_wanted(on ? std::optional(static_cast<SnapKind>(i)) : std::nullopt);
     });
   }
   column->addLayout(row);
@@ -161,16 +160,16 @@ void PosePanel::build_nudge(QWidget& content, QVBoxLayout& layout) {
   grid->addWidget(step_turn_, 2, 1);
   layout.addWidget(group);
   connect(nudge_axes_, qOverload<int>(&QComboBox::currentIndexChanged), this,
-          [this] { take_nudge(); });
+          &PosePanel::take_nudge);
   for (QLineEdit* field : {step_, step_turn_})
-    connect(field, &QLineEdit::editingFinished, this, [this] { take_nudge(); });
+    connect(field, &QLineEdit::editingFinished, this, &PosePanel::take_nudge);
   show_nudge();
 }
 
 void PosePanel::suggest_step(double metres) {
   nudge_.step = metres;
   show_nudge();
-  if (nudge_changed) nudge_changed(nudge_);
+  emit nudge_changed(nudge_);
 }
 
 /// What is no number above zero changes nothing.
@@ -184,7 +183,7 @@ void PosePanel::take_nudge() {
   typed(*step_, nudge_.step, unit_in_metres(unit_->currentText().toStdString()).value_or(1));
   typed(*step_turn_, nudge_.turn, degree);
   show_nudge();
-  if (nudge_changed) nudge_changed(nudge_);
+  emit nudge_changed(nudge_);
 }
 
 void PosePanel::show_nudge() {
@@ -207,7 +206,7 @@ bool PosePanel::eventFilter(QObject* watched, QEvent* event) {
     try {
       const Pose typed = pose_in(matrix_->toPlainText().toStdString());
       pose_ = typed;
-      if (placed) placed(typed);
+      emit placed(typed);
     } catch (const std::invalid_argument&) {
       show_numbers();  // what is no pose changes nothing
     }
@@ -303,7 +302,7 @@ void PosePanel::take(std::size_t field) {
     wanted.q = Quat(Eigen::AngleAxisd(n[6] * degree, axis.normalized()));
   }
   pose_ = wanted;  // the next number may be typed before the window shows this one
-  if (placed) placed(wanted);
+  emit placed(wanted);
 }
 
 }  // namespace sonde::ui

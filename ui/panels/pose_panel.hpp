@@ -3,7 +3,6 @@
 
 #include <QDockWidget>
 #include <array>
-#include <functional>
 #include <optional>
 
 #include "engine/geometry/pose.hpp"
@@ -22,6 +21,7 @@ namespace sonde::ui {
 /// The dock of the probe's pose: its mesh frame in the fixed body's, to read, type, copy and paste.
 /// It does not touch a field while the user types in it.
 class PosePanel : public QDockWidget {
+  Q_OBJECT
  public:
   explicit PosePanel(QWidget* parent = nullptr);
 
@@ -35,10 +35,15 @@ class PosePanel : public QDockWidget {
   /// What clicks in the view are waited for, and what to do next; none: nothing, or why not.
   void show_snap(std::optional<SnapKind> kind, const QString& words);
 
-  std::function<void(const Pose&)> placed;
-  std::function<void(std::optional<SnapKind>)> snap_wanted;
-  std::function<void(const Nudge&)> nudge_changed;
-  std::function<void()> copy_wanted, copy_matrix_wanted, paste_wanted, start_wanted, swap_wanted;
+ signals:
+  void placed(const Pose& X_FM);
+  void snap_wanted(std::optional<SnapKind> kind);
+  void nudge_changed(const Nudge& nudge);
+  void copy_wanted();
+  void copy_matrix_wanted();
+  void paste_wanted();
+  void start_wanted();
+  void swap_wanted();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

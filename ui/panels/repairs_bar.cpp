@@ -87,9 +87,7 @@ RepairsBar::RepairsBar(QWidget* parent) : QFrame(parent) {
   describe(*away, QStringLiteral("Hide what was mended"),
            QStringLiteral("Hide this bar; View → What was mended brings it back"));
   away->setAutoRaise(true);
-  connect(away, &QToolButton::clicked, this, [this] {
-    if (put_away) put_away();
-  });
+  connect(away, &QToolButton::clicked, this, &RepairsBar::put_away);
   all->addWidget(away, 0, Qt::AlignTop);
   hide();
 }
@@ -117,15 +115,10 @@ RepairsBar::Widgets RepairsBar::make_row(std::size_t body) {
   for (QWidget* widget : {static_cast<QWidget*>(made.places), static_cast<QWidget*>(made.show),
                           static_cast<QWidget*>(made.close), static_cast<QWidget*>(made.repair)})
     layout->addWidget(widget);
-  connect(made.show, &QToolButton::clicked, this, [this, body] {
-    if (show_wanted) show_wanted(body);
-  });
-  connect(made.repair, &QToolButton::clicked, this, [this, body] {
-    if (repair_wanted) repair_wanted(body, !rows_.at(body).as_in_file);
-  });
-  connect(made.close, &QToolButton::clicked, this, [this, body] {
-    if (close_wanted) close_wanted(body);
-  });
+  connect(made.show, &QToolButton::clicked, this, [this, body] { emit show_wanted(body); });
+  connect(made.repair, &QToolButton::clicked, this,
+          [this, body] { emit repair_wanted(body, !rows_.at(body).as_in_file); });
+  connect(made.close, &QToolButton::clicked, this, [this, body] { emit close_wanted(body); });
   made.row->hide();
   return made;
 }

@@ -3,7 +3,6 @@
 
 #include <QFrame>
 #include <array>
-#include <functional>
 #include <optional>
 
 class QLabel;
@@ -27,6 +26,7 @@ struct RepairsRow {
 /// A slim bar that says what was mended of the bodies on show, a line for each, and offers to show
 /// it and to take it back. One that has nothing to say is hidden.
 class RepairsBar : public QFrame {
+  Q_OBJECT
  public:
   /// Bodies by this index.
   static constexpr std::size_t probe = 0, fixed = 1;
@@ -38,10 +38,11 @@ class RepairsBar : public QFrame {
   /// How Show is reached by the keyboard, for its tooltip.
   void set_key(const QString& key);
 
-  std::function<void(std::size_t body)> show_wanted;
-  std::function<void(std::size_t body, bool as_in_file)> repair_wanted;
-  std::function<void(std::size_t body)> close_wanted;
-  std::function<void()> put_away;
+ signals:
+  void show_wanted(std::size_t body);
+  void repair_wanted(std::size_t body, bool as_in_file);
+  void close_wanted(std::size_t body);
+  void put_away();
 
  private:
   struct Widgets {

@@ -54,7 +54,7 @@ void SeeingPanel::add_looks(QVBoxLayout& layout) {
     box->addItems({QStringLiteral("opaque"), QStringLiteral("x-ray"), QStringLiteral("wireframe"),
                    QStringLiteral("hidden")});
     form->addRow(QString::fromUtf8(text), box);
-    connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { say(); });
+    connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, &SeeingPanel::say);
     return box;
   };
   fixed_ = add("Fixed body", "fixed_look");
@@ -68,7 +68,7 @@ void SeeingPanel::add_cut(QVBoxLayout& layout) {
   const auto check = [&](const char* text, const char* object) {
     auto* box = new QCheckBox(QString::fromUtf8(text), group);
     box->setObjectName(QLatin1String(object));
-    connect(box, &QCheckBox::toggled, this, [this] { say(); });
+    connect(box, &QCheckBox::toggled, this, &SeeingPanel::say);
     return box;
   };
   cut_ = check("Cut", "cut_on");
@@ -97,22 +97,18 @@ void SeeingPanel::add_cut(QVBoxLayout& layout) {
                            say();
                          }),
                   2, 0);
-  grid->addWidget(button(group, "Eye", "cut_face", "Across the line of sight",
-                         [this] {
-                           if (face_wanted) face_wanted();
-                         }),
-                  2, 1);
+  grid->addWidget(
+      button(group, "Eye", "cut_face", "Across the line of sight", [this] { emit face_wanted(); }),
+      2, 1);
   grid->addWidget(button(group, "Contact", "cut_snap",
                          "Through the marked contact, or the one with the largest share",
-                         [this] {
-                           if (snap_wanted) snap_wanted();
-                         }),
+                         [this] { emit snap_wanted(); }),
                   2, 2);
   place_ = new QSlider(Qt::Horizontal, group);
   place_->setObjectName(QStringLiteral("cut_place"));
   place_->setRange(-slider_end, slider_end);
   place_->setToolTip(QStringLiteral("Along its normal; in the view, drag the arrow"));
-  connect(place_, &QSlider::valueChanged, this, [this](int place) { move_cut(place); });
+  connect(place_, &QSlider::valueChanged, this, &SeeingPanel::move_cut);
   grid->addWidget(place_, 3, 0, 1, 3);
 }
 
@@ -130,7 +126,7 @@ void SeeingPanel::add_gap(QVBoxLayout& layout) {
     const double typed = gap_->number() * unit_.metres();
     const bool any = typed > 0 && std::isfinite(typed);
     if (!any) gap_->clear();
-    if (gap_reach_changed) gap_reach_changed(any ? std::optional(typed) : std::nullopt);
+    emit gap_reach_changed(any ? std::optional(typed) : std::nullopt);
   });
 }
 
@@ -142,21 +138,16 @@ void SeeingPanel::add_saved(QVBoxLayout& layout) {
   saved_->setObjectName(QStringLiteral("saved_views"));
   saved_->setMaximumHeight(110);
   grid->addWidget(saved_, 0, 0, 1, 2);
-  connect(saved_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
-    if (view_wanted) view_wanted(saved_->row(item));
-  });
-  connect(saved_, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) {
-    if (view_wanted) view_wanted(saved_->row(item));
-  });
+  connect(saved_, &QListWidget::itemActivated, this,
+          [this](QListWidgetItem* item) { emit view_wanted(saved_->row(item)); });
+  connect(saved_, &QListWidget::itemClicked, this,
+          [this](QListWidgetItem* item) { emit view_wanted(saved_->row(item)); });
   grid->addWidget(button(group, "Save this view", "view_save", "Kept with the scene",
-                         [this] {
-                           if (save_wanted) save_wanted();
-                         }),
+                         [this] { emit save_wanted(); }),
                   1, 0);
   grid->addWidget(button(group, "Forget", "view_forget", "The one that is chosen",
                          [this] {
-                           if (forget_wanted && saved_->currentRow() >= 0)
-                             forget_wanted(saved_->currentRow());
+                           if (saved_->currentRow() >= 0) emit forget_wanted(saved_->currentRow());
                          }),
                   1, 1);
 }
@@ -197,7 +188,7 @@ void SeeingPanel::say() {
   seeing_.cut.on = cut_->isChecked();
   seeing_.cut.fixed = cut_fixed_->isChecked();
   seeing_.cut.probe = cut_probe_->isChecked();
-  if (changed) changed(seeing_);
+  emit changed(seeing_);
 }
 
 void SeeingPanel::move_cut(int place) {

@@ -3,7 +3,6 @@
 
 #include <QDockWidget>
 #include <QStringList>
-#include <functional>
 #include <optional>
 
 #include "ui/base/format.hpp"
@@ -23,6 +22,7 @@ class NumberField;
 /// The dock for seeing inside: how the bodies are drawn, the plane that cuts them, and the saved
 /// views. It shows the given state and reports the user's wishes.
 class SeeingPanel : public QDockWidget {
+  Q_OBJECT
  public:
   explicit SeeingPanel(QWidget* parent = nullptr);
 
@@ -31,12 +31,14 @@ class SeeingPanel : public QDockWidget {
   void set_extent(const Vec3& centre, double radius);
   void show_saved(const QStringList& names);
 
-  std::function<void(const Seeing&)> changed;
-  std::function<void(std::optional<double>)> gap_reach_changed;  ///< m; none: as suits the probe
-  std::function<void()> snap_wanted;                             ///< the cut through the contact
-  std::function<void()> face_wanted;  ///< the cut across the line of sight
-  std::function<void()> save_wanted;  ///< the view as it is
-  std::function<void(int)> view_wanted, forget_wanted;
+ signals:
+  void changed(const Seeing& seeing);
+  void gap_reach_changed(std::optional<double> reach);  ///< m; none: as suits the probe
+  void snap_wanted();                                   ///< the cut through the contact
+  void face_wanted();                                   ///< the cut across the line of sight
+  void save_wanted();                                   ///< the view as it is
+  void view_wanted(int index);
+  void forget_wanted(int index);
 
  private:
   void add_looks(QVBoxLayout& layout);

@@ -42,12 +42,12 @@ SliderRow::SliderRow(const Setting& setting, QWidget* parent)
   connect(slider_, &QSlider::valueChanged, this, [this](int position) {
     const QSignalBlocker quiet(typed_);
     typed_->setValue(value_at(position));
-    if (changed) changed(value());
+    emit changed(value());
   });
   connect(typed_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double value) {
     const QSignalBlocker quiet(slider_);
     slider_->setValue(position_of(value));
-    if (changed) changed(value);
+    emit changed(value);
   });
 }
 

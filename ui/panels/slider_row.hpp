@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QWidget>
-#include <functional>
 
 #include "engine/settings/settings.hpp"
 
@@ -15,15 +14,18 @@ class TypedValue;
 /// One setting for the user: its name, a slider, and a box for the exact value, all made from its
 /// line in the table of settings. Object names: KEY_row, KEY_slider, KEY_value.
 class SliderRow : public QWidget {
+  Q_OBJECT
  public:
   SliderRow(const Setting& setting, QWidget* parent);
 
   double value() const;
   /// Shows a value without reporting it.
   void set_value(double value);
-  /// Called with the new value while the slider moves and when a typed value is accepted.
-  std::function<void(double)> changed;
   const Setting& setting() const { return setting_; }
+
+ signals:
+  /// The new value, while the slider moves and when a typed value is accepted.
+  void changed(double value);
 
  private:
   int position_of(double value) const;

@@ -74,9 +74,7 @@ StiffnessPanel::StiffnessPanel(const std::vector<std::string>& device_ids, QWidg
   layout->setSpacing(4);
   build_sets(*layout);
   progress_ = new StudyProgressRow(this);
-  progress_->stop_asked = [this] {
-    if (stop_asked) stop_asked();
-  };
+  connect(progress_, &StudyProgressRow::stop_asked, this, &StiffnessPanel::stop_asked);
   layout->addWidget(progress_);
   build_last_second(*layout);
   build_map(*layout);
@@ -149,7 +147,7 @@ void StiffnessPanel::build_sets(QVBoxLayout& layout) {
                        "QPushButton:checked:hover { background: #2f98b8; }"
                        "QPushButton:checked:pressed { background: #174f5f; }"));
     connect(sets_[i], &QPushButton::clicked, this, [this, i](bool on) {
-      if (on && switch_asked) return switch_asked();
+      if (on) return emit switch_asked();
       sets_[i]->setChecked(true);  // pressed already
     });
     row->addWidget(sets_[i]);
@@ -158,9 +156,7 @@ void StiffnessPanel::build_sets(QVBoxLayout& layout) {
       button({}, "apply_recommended",
              QStringLiteral("The recommended gains act at once in the set that is pressed, and "
                             "can be undone."));
-  connect(apply_, &QPushButton::clicked, this, [this] {
-    if (apply_asked) apply_asked();
-  });
+  connect(apply_, &QPushButton::clicked, this, &StiffnessPanel::apply_asked);
   box->addWidget(apply_);
   layout.addWidget(group);
 }
@@ -182,18 +178,18 @@ void StiffnessPanel::build_map(QVBoxLayout& layout) {
   row->addWidget(shown_kinds_);
   box->addLayout(row);
   for (QComboBox* list : {axes_, shown_kinds_})
-    connect(list, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { show_map(); });
+    connect(list, qOverload<int>(&QComboBox::currentIndexChanged), this, &StiffnessPanel::show_map);
   plot_ = new MapPlot(map_box_);
-  plot_->asked = [this](const MapPoint& point) {
-    if (gains_asked) gains_asked(axis(), point.stiffness, point.damping);
-  };
+  connect(plot_, &MapPlot::asked, this, [this](const MapPoint& point) {
+    emit gains_asked(axis(), point.stiffness, point.damping);
+  });
   box->addWidget(plot_);
   place_ = wrapped("map_place", map_box_);
   box->addWidget(place_);
   of_device_ = button(QStringLiteral("The device alone…"), "device_curves",
                       QStringLiteral("How stiff and damped its walls may be, what limits them, the "
                                      "impedance that is rendered, and how hard a wall feels."));
-  connect(of_device_, &QPushButton::clicked, this, [this] { show_curves(); });
+  connect(of_device_, &QPushButton::clicked, this, &StiffnessPanel::show_curves);
   box->addWidget(of_device_);
   layout.addWidget(map_box_);
 }
@@ -207,15 +203,9 @@ void StiffnessPanel::show_curves() {
 
 void StiffnessPanel::build_study(QVBoxLayout& layout, const std::vector<std::string>& device_ids) {
   study_ = new StudyBox(device_ids, this);
-  study_->load_asked = [this] {
-    if (load_asked) load_asked();
-  };
-  study_->compute_asked = [this] {
-    if (compute_asked) compute_asked();
-  };
-  study_->save_asked = [this] {
-    if (save_asked) save_asked();
-  };
+  connect(study_, &StudyBox::load_asked, this, &StiffnessPanel::load_asked);
+  connect(study_, &StudyBox::compute_asked, this, &StiffnessPanel::compute_asked);
+  connect(study_, &StudyBox::save_asked, this, &StiffnessPanel::save_asked);
   layout.addWidget(study_);
 }
 

@@ -3,7 +3,6 @@
 
 #include <QDockWidget>
 #include <array>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +29,7 @@ struct StudyProgress;
 /// recommended gains and the reason, the figures of the last second, and two sets of gains to
 /// compare.
 class StiffnessPanel : public QDockWidget {
+  Q_OBJECT
  public:
   explicit StiffnessPanel(const std::vector<std::string>& device_ids, QWidget* parent = nullptr);
 
@@ -53,10 +53,15 @@ class StiffnessPanel : public QDockWidget {
   std::string device_id() const;
   std::string kind() const;  ///< empty: all
 
-  std::function<void()> load_asked, compute_asked, save_asked, stop_asked, apply_asked,
-      switch_asked;
+ signals:
+  void load_asked();
+  void compute_asked();
+  void save_asked();
+  void stop_asked();
+  void apply_asked();
+  void switch_asked();
   /// A click on the map: stiffness and damping of an axis, in the units of StabilityMap.
-  std::function<void(GainAxis, double stiffness, double damping)> gains_asked;
+  void gains_asked(GainAxis axis, double stiffness, double damping);
 
  private:
   QPushButton* button(const QString& text, const char* object, const QString& doc);

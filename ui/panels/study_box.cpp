@@ -48,15 +48,9 @@ StudyBox::StudyBox(const std::vector<std::string>& device_ids, QWidget* parent)
                       QStringLiteral("A folder that sonde tune has written."));
   save_ = button(QStringLiteral("Save…"), "save_tuning",
                  QStringLiteral("Writes what was computed into a folder, as sonde tune does."));
-  connect(compute, &QPushButton::clicked, this, [this] {
-    if (compute_asked) compute_asked();
-  });
-  connect(load, &QPushButton::clicked, this, [this] {
-    if (load_asked) load_asked();
-  });
-  connect(save_, &QPushButton::clicked, this, [this] {
-    if (save_asked) save_asked();
-  });
+  connect(compute, &QPushButton::clicked, this, &StudyBox::compute_asked);
+  connect(load, &QPushButton::clicked, this, &StudyBox::load_asked);
+  connect(save_, &QPushButton::clicked, this, &StudyBox::save_asked);
   auto* buttons = new QHBoxLayout;
   for (QPushButton* each : {compute, load, save_}) buttons->addWidget(each);
   box->addLayout(buttons);
@@ -101,9 +95,7 @@ StudyProgressRow::StudyProgressRow(QWidget* parent)
   auto* stop = new QPushButton(QStringLiteral("Stop"), this);
   stop->setObjectName(QStringLiteral("stop_tuning"));
   stop->setToolTip(QStringLiteral("Finished rows stay; Compute goes on from them."));
-  connect(stop, &QPushButton::clicked, this, [this] {
-    if (stop_asked) stop_asked();
-  });
+  connect(stop, &QPushButton::clicked, this, &StudyProgressRow::stop_asked);
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setColumnStretch(0, 1);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QGroupBox>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +21,7 @@ struct StudyProgress {
 
 /// Where the map comes from: what is shown, what to compute, and the buttons for that.
 class StudyBox : public QGroupBox {
+  Q_OBJECT
  public:
   StudyBox(const std::vector<std::string>& device_ids, QWidget* parent);
 
@@ -33,7 +33,10 @@ class StudyBox : public QGroupBox {
   std::string device_id() const;
   std::string kind() const;  ///< empty: all
 
-  std::function<void()> load_asked, compute_asked, save_asked;
+ signals:
+  void load_asked();
+  void compute_asked();
+  void save_asked();
 
  private:
   QPushButton* button(const QString& text, const char* object, const QString& doc);
@@ -45,10 +48,13 @@ class StudyBox : public QGroupBox {
 
 /// The line about a study at work, with a button that stops it. Hidden where none is.
 class StudyProgressRow : public QWidget {
+  Q_OBJECT
  public:
   explicit StudyProgressRow(QWidget* parent);
   void show_progress(const std::optional<StudyProgress>& progress);
-  std::function<void()> stop_asked;
+
+ signals:
+  void stop_asked();
 
  private:
   QLabel* words_;

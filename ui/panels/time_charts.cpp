@@ -209,7 +209,7 @@ double TimeCharts::time_at(double x) const {
 
 void TimeCharts::wheelEvent(QWheelEvent* event) {
   const double notches = event->angleDelta().y() / 120.0;
-  if (zoomed) zoomed(std::pow(wheel_zoom, -notches), time_at(event->position().x()));
+  emit zoomed(std::pow(wheel_zoom, -notches), time_at(event->position().x()));
   event->accept();
 }
 
@@ -222,17 +222,17 @@ void TimeCharts::mousePressEvent(QMouseEvent* event) {
 void TimeCharts::mouseMoveEvent(QMouseEvent* event) {
   const double x = event->localPos().x();
   if (pressed_ < 0) {
-    if (hovered) hovered(time_at(x));
+    emit hovered(time_at(x));
     return;
   }
   moved_ = moved_ || std::abs(x - pressed_) >= least_drag;
-  if (moved_ && dragged) dragged(time_at(last_) - time_at(x));
+  if (moved_) emit dragged(time_at(last_) - time_at(x));
   if (moved_) last_ = x;
 }
 
 void TimeCharts::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
-  if (pressed_ >= 0 && !moved_ && clicked) clicked(time_at(pressed_));
+  if (pressed_ >= 0 && !moved_) emit clicked(time_at(pressed_));
   pressed_ = -1;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QString>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -42,6 +41,7 @@ struct ChartView {
 /// Curves over one time axis, a chart for each unit, drawn by VTK. However many ticks there are, it
 /// draws as many points as there are pixels: the lowest and the highest of each column.
 class TimeCharts : public ChartCanvas {
+  Q_OBJECT
  public:
   explicit TimeCharts(QWidget* parent);
   ~TimeCharts() override;
@@ -52,9 +52,11 @@ class TimeCharts : public ChartCanvas {
   /// The time at a place in Qt's pixels from the left; s.
   double time_at(double x) const;
 
-  std::function<void(double time)> clicked, hovered;
-  std::function<void(double seconds)> dragged;             ///< the picture is to move so far
-  std::function<void(double factor, double time)> zoomed;  ///< about that time
+ signals:
+  void clicked(double time);
+  void hovered(double time);
+  void dragged(double seconds);             ///< the picture is to move so far
+  void zoomed(double factor, double time);  ///< about that time
 
  protected:
   void arrange(double ratio) override;

@@ -43,19 +43,19 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QDockWidget(QStringLiteral("Time
   track_->setObjectName(QStringLiteral("timeline"));
   track_->setRange(0, places);
   track_->setToolTip(QStringLiteral("Looks back: the picture and the numbers show that moment"));
-  connect(track_, &QSlider::valueChanged, this, [this](int place) { seek_to(place); });
+  connect(track_, &QSlider::valueChanged, this, &TimelinePanel::seek_to);
   track_->setMinimumWidth(120);
   record_ = button(*row, "record_button", QStringLiteral("● Record"),
                    QStringLiteral("Writes the kept minutes and everything that follows"));
   record_->setCheckable(true);
-  connect(record_, &QToolButton::clicked, this, [this](bool on) { recorded(on); });
+  connect(record_, &QToolButton::clicked, this, &TimelinePanel::recorded);
   back_ = button(*row, "step_back", QStringLiteral("◀|"), QStringLiteral("One tick back"));
-  connect(back_, &QToolButton::clicked, this, [this] { stepped(-1); });
+  connect(back_, &QToolButton::clicked, this, [this] { emit stepped(-1); });
   play_ = button(*row, "play", QStringLiteral("▶"), QStringLiteral("Plays from here"));
   play_->setCheckable(true);
-  connect(play_, &QToolButton::clicked, this, [this](bool on) { played(on); });
+  connect(play_, &QToolButton::clicked, this, &TimelinePanel::played);
   on_ = button(*row, "step_on", QStringLiteral("|▶"), QStringLiteral("One tick on"));
-  connect(on_, &QToolButton::clicked, this, [this] { stepped(1); });
+  connect(on_, &QToolButton::clicked, this, [this] { emit stepped(1); });
   for (QToolButton* step : {back_, on_}) step->setAutoRepeat(true);
   speed_ = new QDoubleSpinBox(content);
   speed_->setObjectName(QStringLiteral("play_speed"));
@@ -66,23 +66,23 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QDockWidget(QStringLiteral("Time
   speed_->setValue(1);
   speed_->setToolTip(QStringLiteral("How fast it plays, of the time it took"));
   connect(speed_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
-          [this](double speed) { speed_changed(speed); });
+          &TimelinePanel::speed_changed);
   row->addWidget(speed_);
   loop_ = new QCheckBox(QStringLiteral("Loop"), content);
   loop_->setObjectName(QStringLiteral("loop"));
-  connect(loop_, &QCheckBox::toggled, this, [this](bool on) { looped(on); });
+  connect(loop_, &QCheckBox::toggled, this, &TimelinePanel::looped);
   row->addWidget(loop_);
   replay_ = new QCheckBox(QStringLiteral("Run again"), content);
   replay_->setObjectName(QStringLiteral("show_replay"));
   replay_->setToolTip(QStringLiteral("Shows the run with other gains instead of the recorded one"));
-  connect(replay_, &QCheckBox::toggled, this, [this](bool on) { replay_shown(on); });
+  connect(replay_, &QCheckBox::toggled, this, &TimelinePanel::replay_shown);
   row->addWidget(replay_);
   row->addWidget(track_, 1);
   text_ = new ElidedLabel(content);
   text_->setObjectName(QStringLiteral("timeline_text"));
   row->addWidget(text_);
   live_ = button(*row, "live", QStringLiteral("Live"), QStringLiteral("Back to the servo"));
-  connect(live_, &QToolButton::clicked, this, [this] { live_wanted(); });
+  connect(live_, &QToolButton::clicked, this, &TimelinePanel::live_wanted);
   content->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   setTitleBarWidget(new QWidget(this));  // a row is all that it takes from the view
   setWidget(content);
@@ -100,7 +100,7 @@ QToolButton* TimelinePanel::button(QHBoxLayout& row, const char* object, const Q
 }
 
 void TimelinePanel::seek_to(int place) {
-  sought(state_.from + (state_.to - state_.from) * place / places);
+  emit sought(state_.from + (state_.to - state_.from) * place / places);
 }
 
 void TimelinePanel::show_state(const TimelineState& state) {

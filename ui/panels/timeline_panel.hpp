@@ -3,7 +3,6 @@
 
 #include <QDockWidget>
 #include <cstdint>
-#include <functional>
 
 class QCheckBox;
 class QDoubleSpinBox;
@@ -32,16 +31,21 @@ struct TimelineState {
 
 /// The dock under the view: where in time the picture is, and what moves it.
 class TimelinePanel : public QDockWidget {
+  Q_OBJECT
  public:
   explicit TimelinePanel(QWidget* parent = nullptr);
 
   void show_state(const TimelineState& state);
 
-  std::function<void(double time)> sought;
-  std::function<void(int ticks)> stepped;
-  std::function<void(bool on)> played, looped, recorded, replay_shown;
-  std::function<void(double speed)> speed_changed;
-  std::function<void()> live_wanted;
+ signals:
+  void sought(double time);
+  void stepped(int ticks);
+  void played(bool on);
+  void looped(bool on);
+  void recorded(bool on);
+  void replay_shown(bool on);
+  void speed_changed(double speed);
+  void live_wanted();
 
  private:
   QToolButton* button(QHBoxLayout& row, const char* object, const QString& text,

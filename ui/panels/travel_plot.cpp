@@ -161,9 +161,9 @@ void TravelPlot::arrange(double ratio) {
 }
 
 void TravelPlot::seek(double x) {
-  if (curves_.travel.size() < 2 || !sought) return;
+  if (curves_.travel.size() < 2) return;
   const double part = (x - plot_left) / std::max(width() - plot_left - plot_right, 1.0);
-  sought(std::clamp(part, 0.0, 1.0) * curves_.travel.back());
+  emit sought(std::clamp(part, 0.0, 1.0) * curves_.travel.back());
 }
 
 void TravelPlot::mousePressEvent(QMouseEvent* event) {

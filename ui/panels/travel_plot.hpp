@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -22,14 +21,17 @@ struct TravelCurves {
 /// Room and force along a way, one above the other, with a line where one is. A click or a drag
 /// goes there.
 class TravelPlot : public ChartCanvas {
+  Q_OBJECT
  public:
   explicit TravelPlot(QWidget* parent);
   ~TravelPlot() override;
   void set_curves(TravelCurves curves, const LengthUnit& unit);
   void show_at(std::optional<double> travel);
-  std::function<void(double travel)> sought;
   QSize sizeHint() const override { return {240, 250}; }
   QSize minimumSizeHint() const override { return {200, 180}; }
+
+ signals:
+  void sought(double travel);
 
  protected:
   void arrange(double ratio) override;

@@ -64,7 +64,7 @@ QPushButton* WayInPanel::pick_button(WayPick what, const char* object, const cha
   auto* made = button(face ? "Face" : "Edge", object, doc);
   made->setCheckable(true);
   connect(made, &QPushButton::clicked, this,
-          [this, what](bool on) { pick_wanted(on ? what : WayPick::nothing); });
+          [this, what](bool on) { emit pick_wanted(on ? what : WayPick::nothing); });
   picks_.at(static_cast<std::size_t>(what)) = made;
   return made;
 }
@@ -110,8 +110,8 @@ void WayInPanel::build_way(QVBoxLayout& layout) {
   grid->addWidget(steps_, 4, 1);
   layout.addLayout(grid);
   work_ = new WorkRow(QStringLiteral("Try the way in"), QStringLiteral("way_compute"), this);
-  work_->start_wanted = [this] { compute_wanted(); };
-  work_->stop_wanted = [this] { stop_wanted(); };
+  connect(work_, &WorkRow::start_wanted, this, &WayInPanel::compute_wanted);
+  connect(work_, &WorkRow::stop_wanted, this, &WayInPanel::stop_wanted);
   layout.addWidget(work_);
   connect(kind_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this](int kind) {
     for (NumberField* along : axis_) along->setEnabled(kind == 0);
@@ -131,7 +131,7 @@ void WayInPanel::build_result(QVBoxLayout& layout) {
   summary_->setTextFormat(Qt::PlainText);
   layout.addWidget(summary_);
   plot_ = new TravelPlot(this);
-  plot_->sought = [this](double travel) { sought(travel); };
+  connect(plot_, &TravelPlot::sought, this, &WayInPanel::sought);
   layout.addWidget(plot_);
   at_ = new QLabel(this);
   at_->setObjectName(QStringLiteral("way_at"));
@@ -144,8 +144,8 @@ void WayInPanel::build_result(QVBoxLayout& layout) {
   row->addWidget(play_);
   row->addWidget(first_);
   layout.addLayout(row);
-  connect(play_, &QPushButton::clicked, this, [this](bool on) { play_wanted(on); });
-  connect(first_, &QPushButton::clicked, this, [this] { first_wanted(); });
+  connect(play_, &QPushButton::clicked, this, &WayInPanel::play_wanted);
+  connect(first_, &QPushButton::clicked, this, &WayInPanel::first_wanted);
 }
 
 void WayInPanel::build_map(QVBoxLayout& layout) {
@@ -175,8 +175,8 @@ void WayInPanel::build_map(QVBoxLayout& layout) {
   grid->addLayout(picks, 4, 1);
   layout.addLayout(grid);
   map_work_ = new WorkRow(QStringLiteral("Map what goes in"), QStringLiteral("map_compute"), this);
-  map_work_->start_wanted = [this] { map_asked(); };
-  map_work_->stop_wanted = [this] { map_stop_wanted(); };
+  connect(map_work_, &WorkRow::start_wanted, this, &WayInPanel::map_asked);
+  connect(map_work_, &WorkRow::stop_wanted, this, &WayInPanel::map_stop_wanted);
   layout.addWidget(map_work_);
   map_words_ = new QLabel(this);
   map_words_->setObjectName(QStringLiteral("map_words"));
@@ -184,7 +184,7 @@ void WayInPanel::build_map(QVBoxLayout& layout) {
   map_words_->setTextFormat(Qt::PlainText);
   layout.addWidget(map_words_);
   map_ = new OffsetPlot(this);
-  map_->asked = [this](const MapPlace& place) { map_place_wanted(place); };
+  connect(map_, &OffsetPlot::asked, this, &WayInPanel::map_place_wanted);
   layout.addWidget(map_);
 }
 

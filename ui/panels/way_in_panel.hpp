@@ -4,7 +4,6 @@
 #include <QDockWidget>
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <optional>
 
 #include "engine/geometry/pose.hpp"
@@ -43,6 +42,7 @@ enum class WayPick { nothing, axis_face, axis_edge, side_face, side_edge };
 
 /// The dock of the way in: along which axis, how far, what happens on the way, and where it binds.
 class WayInPanel : public QDockWidget {
+  Q_OBJECT
  public:
   explicit WayInPanel(QWidget* parent = nullptr);
 
@@ -68,11 +68,16 @@ class WayInPanel : public QDockWidget {
   void show_map(const QString& words, OffsetMap map);
   void show_map_place(const MapPlace& place, const QString& words);
 
-  std::function<void()> compute_wanted, stop_wanted, first_wanted, map_asked, map_stop_wanted;
-  std::function<void(const MapPlace&)> map_place_wanted;
-  std::function<void(WayPick)> pick_wanted;
-  std::function<void(bool)> play_wanted;
-  std::function<void(double travel)> sought;
+ signals:
+  void compute_wanted();
+  void stop_wanted();
+  void first_wanted();
+  void map_asked();
+  void map_stop_wanted();
+  void map_place_wanted(const MapPlace& place);
+  void pick_wanted(WayPick what);
+  void play_wanted(bool on);
+  void sought(double travel);
 
  private:
   void build_way(QVBoxLayout& layout);

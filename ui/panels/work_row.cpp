@@ -26,8 +26,8 @@ WorkRow::WorkRow(const QString& text, const QString& object, QWidget* parent)
   row->addWidget(start_);
   row->addWidget(bar_, 1);
   row->addWidget(stop_);
-  connect(start_, &QPushButton::clicked, this, [this] { start_wanted(); });
-  connect(stop_, &QPushButton::clicked, this, [this] { stop_wanted(); });
+  connect(start_, &QPushButton::clicked, this, &WorkRow::start_wanted);
+  connect(stop_, &QPushButton::clicked, this, &WorkRow::stop_wanted);
   show_progress({});
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QWidget>
-#include <functional>
 #include <optional>
 
 class QProgressBar;
@@ -12,13 +11,17 @@ namespace sonde::ui {
 
 /// A button that starts work; while that goes on, how far it is and a button that stops it.
 class WorkRow : public QWidget {
+  Q_OBJECT
  public:
   /// `object`: the button's name; the other one's is `object` + "_stop".
   WorkRow(const QString& text, const QString& object, QWidget* parent);
   /// None: nothing goes on.
   void show_progress(std::optional<double> fraction);
   void set_startable(bool on);
-  std::function<void()> start_wanted, stop_wanted;
+
+ signals:
+  void start_wanted();
+  void stop_wanted();
 
  private:
   QPushButton *start_, *stop_;

@@ -54,9 +54,9 @@ CommandPalette::CommandPalette(QMenuBar& menus, QWidget* parent)
   resize(480, 380);
   list_actions(menus.actions(), {}, *found_);
   found_->setCurrentRow(0);
-  connect(words_, &QLineEdit::textChanged, this, [this](const QString& text) { filter(text); });
-  connect(words_, &QLineEdit::returnPressed, this, [this] { take(); });
-  connect(found_, &QListWidget::itemClicked, this, [this] { take(); });
+  connect(words_, &QLineEdit::textChanged, this, &CommandPalette::filter);
+  connect(words_, &QLineEdit::returnPressed, this, &CommandPalette::take);
+  connect(found_, &QListWidget::itemClicked, this, &CommandPalette::take);
 }
 
 /// What has every word in it, in any order.

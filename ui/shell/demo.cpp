@@ -52,7 +52,7 @@ double lit_share(const QImage& picture) {
 Demo::Demo(MainWindow& window, std::string picture)
     : window_(window), picture_(std::move(picture)), job_(&window) {
   timer_.setTimerType(Qt::PreciseTimer);
-  connect(&timer_, &QTimer::timeout, this, [this] { step(); });
+  connect(&timer_, &QTimer::timeout, this, &Demo::step);
 }
 
 void Demo::play() {
@@ -125,9 +125,7 @@ void Demo::rest(double seconds) {
   end(finish());
 }
 
-void Demo::end(int exit_code) {
-  if (ended) ended(exit_code);
-}
+void Demo::end(int exit_code) { emit ended(exit_code); }
 
 int Demo::finish() {
   if (!window_.shown() || lit_share(window_.viewport().picture()) < least_lit) {

@@ -5,7 +5,6 @@
 #include <QObject>
 #include <QTimer>
 #include <exception>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,12 +22,15 @@ class MainWindow;
 /// that path and saves a picture. The deepest pose is found by a run of its own, tick by tick, so
 /// the picture is the same however fast the display is.
 class Demo : public QObject {
+  Q_OBJECT
  public:
   Demo(MainWindow& window, std::string picture);
 
-  /// Plays; then prints one line of figures and calls `ended` with an exit code.
+  /// Plays; then prints one line of figures and ends in ended() with an exit code.
   void play();
-  std::function<void(int exit_code)> ended;
+
+ signals:
+  void ended(int exit_code);
 
  private:
   enum class Act { forward, rest };

@@ -28,8 +28,7 @@ void close_where_blocked(std::uint32_t key_of) {
 
 }  // namespace
 
-EscapeKey::EscapeKey(std::function<void()> pressed, std::function<bool()> first)
-    : pressed_(std::move(pressed)), first_(std::move(first)) {
+EscapeKey::EscapeKey(std::function<bool()> first) : first_(std::move(first)) {
   QApplication::instance()->installEventFilter(this);
   QApplication::instance()->installNativeEventFilter(this);
 }
@@ -41,7 +40,7 @@ EscapeKey::~EscapeKey() {
 
 void EscapeKey::decide() {
   closes_ = open_in_front() && !first_();
-  if (!closes_) pressed_();
+  if (!closes_) emit pressed();
 }
 
 /// A shortcut takes the press away from everybody, so the question before, whether somebody else

@@ -52,8 +52,7 @@ constexpr double swing_seconds = 1.6;
 
 MainWindow::~MainWindow() {
   stiffness_->keep_gains();
-  documents_->changed = nullptr;  // what goes now is not shown any more
-  documents_->saved = nullptr;
+  documents_->disconnect();    // what goes now is not shown any more
   force_log_.end();            // the session ends with the window
   accuracy_->attach(nullptr);  // its dock is hidden after that
 }

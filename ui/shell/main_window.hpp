@@ -129,6 +129,8 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
+  void connect_opener();
+  void connect_coupling();
   void connect_devices();
   void connect_measuring();
   void connect_documents();
@@ -142,9 +144,14 @@ class MainWindow : public QMainWindow {
   void fade_hint();
   void lay_desk();
   void place(const Pose& X_FM);
+  void follow_mouse(const Pose& X_FM);
+  void keep_motion(const Pose& before, bool one_of_many);
+  void keep_tick(const Snapshot& tick);
+  void set_coupling(const Coupling& coupling);
   void show_session(DrawnSession drawn, bool same_document = false);
   void show_nothing();
   void show_document();
+  void show_parts(const std::vector<PartLook>& looks);
   void show_holder();
   void suit_gains();
   void on_frame();
@@ -154,6 +161,8 @@ class MainWindow : public QMainWindow {
   void forget_shown() { shown_.reset(), instant_.reset(); }
   void pause(bool paused);
   void complain(const QString& reason);
+  void tell(const QString& what);
+  void tell_longer(const QString& what);
   bool open_recording(const QStringList& files);
   void open_one_mesh(const QString& file);
   void ask_search();

@@ -40,6 +40,7 @@ namespace sonde::ui {
 namespace {
 
 constexpr int frame_ms = 16;
+constexpr int passing_ms = 4000;  // a message in passing
 
 }  // namespace
 
@@ -61,7 +62,8 @@ MainWindow::MainWindow(QWidget* parent)
       stiffness_(new StiffnessControl(device_profile_folders(), *coupling_panel_,
                                       documents_->document().stack(), prompts_, *this)),
       status_(*statusBar()),
-      escape_([this] { set_force(false); }, [this] { return felt_ || measure_->going_on(); }) {
+      escape_([this] { return felt_ || measure_->going_on(); }) {
+  connect(&escape_, &EscapeKey::pressed, this, [this] { set_force(false); });
   setObjectName(QStringLiteral("main_window"));
   setWindowTitle(QStringLiteral("Sonde"));
   setAcceptDrops(true);
@@ -79,45 +81,22 @@ MainWindow::MainWindow(QWidget* parent)
   accuracy_ = new AccuracyControl(*documents_, *this, *coupling_panel_);
   exporter_ = new ExportControl(*viewport_, *this);
   connect_export();
-  seeing_->say = [this](const QString& what) { statusBar()->showMessage(what, 4000); };
+  connect(seeing_, &SeeingControl::say, this, &MainWindow::tell);
   addDockWidget(Qt::BottomDockWidgetArea, log_);
   connect(statusBar(), &QStatusBar::messageChanged, log_, &LogPanel::add);
   add_history();
   add_sides();
   add_menus(*this);
-  mouse_->moved = [this](const Pose& pose) {
-    if (session() && !history_->looking_back()) session()->set_device_pose(pose);
-  };
-  coupling_panel_->changed = [this](const Coupling& coupling) {
-    if (session()) session()->set_coupling(coupling);
-    documents_->set_coupling(coupling);
-    viewport_->set_coupling(coupling);
-    stiffness_->show_gains(coupling);
-  };
-  coupling_panel_->mouse_gain_changed = [this](double gain) { mouse_->set_gain(gain); };
-  mouse_->settled = [this](const Pose& before, bool one_of_many) {
-    if (history_->looking_back()) return;
-    documents_->moved_from(before, one_of_many ? QStringLiteral("Nudge") : QStringLiteral("Drag"),
-                           one_of_many);
-    if (!one_of_many) fade_hint();
-  };
+  connect(mouse_, &MouseProbe::moved, this, &MainWindow::follow_mouse);
+  connect_coupling();
+  connect(mouse_, &MouseProbe::settled, this, &MainWindow::keep_motion);
   connect_devices();
   connect_measuring();
   connect_documents();
-  stiffness_->ticked = [this](const Snapshot& tick) {
-    log_->add(force_log_.add(tick));
-    history_->add(tick);
-  };
-  stiffness_->say = [this](const QString& what) { statusBar()->showMessage(what, 8000); };
-  stiffness_->failed = [this](const QString& reason) { log_->add(reason); };
-  opener_->ready = [this](DrawnSession drawn) { show_session(std::move(drawn)); };
-  opener_->say = [this](const QString& what) { statusBar()->showMessage(what, 4000); };
-  opener_->failed = [this](const QString& reason) {
-    log_->add(reason);
-    emit open_failed(reason);
-  };
-  // Nothing is being opened any more.
-  connect(this, &MainWindow::open_failed, statusBar(), &QStatusBar::clearMessage);
+  connect(stiffness_, &StiffnessControl::ticked, this, &MainWindow::keep_tick);
+  connect(stiffness_, &StiffnessControl::say, this, &MainWindow::tell_longer);
+  connect(stiffness_, &StiffnessControl::failed, log_, &LogPanel::add);
+  connect_opener();
   connect(&frame_timer_, &QTimer::timeout, this, &MainWindow::on_frame);
   frame_timer_.setTimerType(Qt::PreciseTimer);
   frame_timer_.start(frame_ms);
@@ -126,23 +105,71 @@ MainWindow::MainWindow(QWidget* parent)
   viewport_->canvas()->setFocus();
 }
 
+/// In passing.
+void MainWindow::tell(const QString& what) { statusBar()->showMessage(what, passing_ms); }
+
+void MainWindow::tell_longer(const QString& what) {
+  statusBar()->showMessage(what, 2 * passing_ms);
+}
+
+void MainWindow::follow_mouse(const Pose& X_FM) {
+  if (session() && !history_->looking_back()) session()->set_device_pose(X_FM);
+}
+
+void MainWindow::keep_motion(const Pose& before, bool one_of_many) {
+  if (history_->looking_back()) return;
+  documents_->moved_from(before, one_of_many ? QStringLiteral("Nudge") : QStringLiteral("Drag"),
+                         one_of_many);
+  if (!one_of_many) fade_hint();
+}
+
+void MainWindow::keep_tick(const Snapshot& tick) {
+  log_->add(force_log_.add(tick));
+  history_->add(tick);
+}
+
+/// The loop first, then what shows or keeps it.
+void MainWindow::connect_coupling() {
+  connect(coupling_panel_, &CouplingPanel::changed, this, &MainWindow::set_coupling);
+  connect(coupling_panel_, &CouplingPanel::changed, documents_.get(),
+          &DocumentControl::set_coupling);
+  connect(coupling_panel_, &CouplingPanel::changed, viewport_, &Viewport::set_coupling);
+  connect(coupling_panel_, &CouplingPanel::changed, stiffness_, &StiffnessControl::show_gains);
+  connect(coupling_panel_, &CouplingPanel::mouse_gain_changed, mouse_, &MouseProbe::set_gain);
+}
+
+void MainWindow::set_coupling(const Coupling& coupling) {
+  if (session()) session()->set_coupling(coupling);
+}
+
+void MainWindow::connect_opener() {
+  Opener* opener = opener_.get();
+  connect(opener, &Opener::ready, this,
+          [this](DrawnSession& drawn) { show_session(std::move(drawn)); });
+  connect(opener, &Opener::say, this, &MainWindow::tell);
+  connect(opener, &Opener::failed, log_, &LogPanel::add);
+  connect(opener, &Opener::failed, this, &MainWindow::open_failed);
+  // Nothing is being opened any more.
+  connect(this, &MainWindow::open_failed, statusBar(), &QStatusBar::clearMessage);
+}
+
 void MainWindow::connect_devices() {
-  devices_->changed = [this] { show_holder(); };
-  devices_->report_error = [this](const QString& reason) { complain(reason); };
-  device_panel_->chosen = [this](const InputSource& source) { devices_->choose(source); };
-  device_panel_->path_wanted = [this] { ask_path(); };
-  device_panel_->settings_changed = [this](const DeviceSettings& settings) {
-    documents_->set_device_settings(settings);
-  };
-  device_panel_->grip().changed = [this](const SimulatedGrip& grip) { devices_->set_grip(grip); };
+  DeviceControl* devices = devices_.get();
+  connect(devices, &DeviceControl::changed, this, &MainWindow::show_holder);
+  connect(devices, &DeviceControl::failed, this, &MainWindow::complain);
+  connect(device_panel_, &DevicePanel::chosen, devices, &DeviceControl::choose);
+  connect(device_panel_, &DevicePanel::path_wanted, this, &MainWindow::ask_path);
+  connect(device_panel_, &DevicePanel::settings_changed, documents_.get(),
+          &DocumentControl::set_device_settings);
+  connect(&device_panel_->grip(), &GripBox::changed, devices, &DeviceControl::set_grip);
   device_panel_->grip().show_grip(devices_->grip());
-  device_panel_->led_switched = [this](bool on) { devices_->set_led(on); };
+  connect(device_panel_, &DevicePanel::led_switched, devices, &DeviceControl::set_led);
 }
 
 void MainWindow::connect_measuring() {
-  device_panel_->measure_asked = [this] { measure_->ask(); };
+  connect(device_panel_, &DevicePanel::measure_asked, measure_, &MeasureControl::ask);
   connect(this, &MainWindow::force_changed, measure_, &MeasureControl::force_switched);
-  measure_->say = [this](const QString& what) { log_->add(what); };
+  connect(measure_, &MeasureControl::say, log_, &LogPanel::add);
   measure_->obstacle = [this] {
     if (!force_) return QStringLiteral("the force is off: switch it on first");
     if (!session() || session()->paused()) return QStringLiteral("the loop is paused");
@@ -153,14 +180,14 @@ void MainWindow::connect_measuring() {
 }
 
 void MainWindow::add_history() {
-  history_ = new HistoryControl(
-      *opener_, prompts_, *this,
-      {.session = [this] { return session(); },
-       .scene = [this] { return documents_->document().content().scene; },
-       .may_leave = [this] { return documents_->may_leave(); },
-       .show = [this](DrawnSession drawn) { show_session(std::move(drawn)); },
-       .pause = [this](bool on) { pause(on); },
-       .say = [this](const QString& what) { statusBar()->showMessage(what, 4000); }});
+  history_ = new HistoryControl(*opener_, prompts_, *this,
+                                {.session = [this] { return session(); },
+                                 .scene = [this] { return documents_->document().content().scene; },
+                                 .may_leave = [this] { return documents_->may_leave(); }});
+  connect(history_, &HistoryControl::show_wanted, this,
+          [this](DrawnSession& drawn) { show_session(std::move(drawn)); });
+  connect(history_, &HistoryControl::pause_wanted, this, &MainWindow::pause);
+  connect(history_, &HistoryControl::say, this, &MainWindow::tell);
   // Above the timeline, which keeps the whole width.
   splitDockWidget(log_, &history_->timeline(), Qt::Vertical);
   splitDockWidget(log_, &history_->plots(), Qt::Horizontal);
@@ -168,13 +195,11 @@ void MainWindow::add_history() {
 
 void MainWindow::add_assembly() {
   parts_ = new PartsControl(*viewport_, *documents_, prompts_, *this, *coupling_panel_);
-  seeing_->clicked = [this](QPointF at) { parts_->click(at); };
-  const auto place_for_way = [this](const Pose& pose) {
-    documents_->place(pose, QStringLiteral("Way in"), true);
-  };
-  way_in_ = new WayInControl(
-      *viewport_, *this, *coupling_panel_,
-      {.follow = [this](const Pose& pose) { set_device_pose(pose); }, .place = place_for_way});
+  connect(seeing_, &SeeingControl::clicked, parts_, &PartsControl::click);
+  way_in_ = new WayInControl(*viewport_, *this, *coupling_panel_);
+  connect(way_in_, &WayInControl::follow_wanted, this, &MainWindow::set_device_pose);
+  connect(way_in_, &WayInControl::place_wanted, documents_.get(),
+          [this](const Pose& X_FM) { documents_->place(X_FM, QStringLiteral("Way in"), true); });
   snap_ = new SnapControl(*viewport_, *documents_, *pose_panel_, this);
   seeing_->click_wanted = [this](QPointF at) { return way_in_->click(at) || snap_->click(at); };
   clash_ = new ClashControl(*viewport_, *this, *coupling_panel_);
@@ -191,53 +216,55 @@ void MainWindow::add_repairs() {
   column->addWidget(viewport_, 1);
   middle->setFocusProxy(viewport_);  // who gives the keyboard back gives it to the view
   setCentralWidget(middle);
-  repairs_->say = [this](const QString& what) { statusBar()->showMessage(what, 8000); };
+  connect(repairs_, &RepairsControl::say, this, &MainWindow::tell_longer);
 }
 
 void MainWindow::connect_export() {
   exporter_->instant = [this] { return instant_ ? &*instant_ : nullptr; };
   exporter_->ticks = [this] { return history_->ticks_on_show(); };
   exporter_->ask_replace = [this](const QString& file) { return prompts_.ask_replace(file); };
-  exporter_->say = [this](const QString& what) { statusBar()->showMessage(what, 4000); };
-  exporter_->fail = [this](const QString& reason) { complain(reason); };
+  connect(exporter_, &ExportControl::say, this, &MainWindow::tell);
+  connect(exporter_, &ExportControl::failed, this, &MainWindow::complain);
 }
 
 DocumentView MainWindow::document_view() {
-  return {.session = [this] { return session(); },
-          .show = [this](DrawnSession drawn, bool same) { show_session(std::move(drawn), same); },
-          .empty = [this] { show_nothing(); },
-          .place = [this](const Pose& pose) { place(pose); },
-          .show_coupling = [this](const Coupling& gains) { coupling_panel_->apply(gains); },
-          .show_device_settings =
-              [this](const DeviceSettings& settings) { devices_->set_settings(settings); },
-          .camera = [this] { return viewport_->place(); },
-          .look = [this](const CameraPlace& place) { viewport_->look(place); },
-          .show_parts =
-              [this](const std::vector<PartLook>& looks) {
-                const auto surface = viewport_->show_parts(looks);
-                if (!surface) return;
-                drawn_.bodies.fixed_surface = surface;
-                drawn_.bodies.part_looks = looks;
-              },
-          .say = [this](const QString& what) { statusBar()->showMessage(what, 4000); }};
+  return {.session = [this] { return session(); }, .camera = [this] { return viewport_->place(); }};
+}
+
+void MainWindow::show_parts(const std::vector<PartLook>& looks) {
+  const auto surface = viewport_->show_parts(looks);
+  if (!surface) return;
+  drawn_.bodies.fixed_surface = surface;
+  drawn_.bodies.part_looks = looks;
 }
 
 void MainWindow::connect_documents() {
   DocumentControl* documents = documents_.get();
-  documents->changed = [this] { show_document(); };
-  documents->saved = [this](const Scene& scene) { stiffness_->saved(scene); };
-  pose_panel_->placed = [documents](const Pose& pose) {
+  connect(documents, &DocumentControl::show_wanted, this,
+          [this](DrawnSession& drawn, bool same) { show_session(std::move(drawn), same); });
+  connect(documents, &DocumentControl::emptied, this, &MainWindow::show_nothing);
+  connect(documents, &DocumentControl::place_wanted, this, &MainWindow::place);
+  connect(documents, &DocumentControl::coupling_changed, coupling_panel_, &CouplingPanel::apply);
+  connect(documents, &DocumentControl::device_settings_changed, devices_.get(),
+          &DeviceControl::set_settings);
+  connect(documents, &DocumentControl::look_wanted, viewport_, &Viewport::look);
+  connect(documents, &DocumentControl::parts_changed, this, &MainWindow::show_parts);
+  connect(documents, &DocumentControl::say, this, &MainWindow::tell);
+  connect(documents, &DocumentControl::changed, this, &MainWindow::show_document);
+  connect(documents, &DocumentControl::saved, stiffness_, &StiffnessControl::saved);
+  connect(pose_panel_, &PosePanel::placed, documents, [documents](const Pose& pose) {
     documents->place(pose, QStringLiteral("Place the probe"));
-  };
-  pose_panel_->nudge_changed = [this](const Nudge& nudge) { mouse_->set_nudge(nudge); };
-  pose_panel_->copy_wanted = [documents] { documents->copy_pose(); };
-  pose_panel_->copy_matrix_wanted = [documents] { documents->copy_matrix(); };
-  pose_panel_->paste_wanted = [documents] { documents->paste_pose(); };
-  pose_panel_->start_wanted = [documents] { documents->start_from_here(); };
-  pose_panel_->swap_wanted = [documents] { documents->swap_bodies(); };
-  start_page_->scene_wanted = [documents] { documents->ask_scene(); };
-  start_page_->meshes_wanted = [documents] { documents->ask_meshes(); };
-  start_page_->chosen = [this](const QStringList& files) { open(files); };
+  });
+  connect(pose_panel_, &PosePanel::nudge_changed, mouse_, &MouseProbe::set_nudge);
+  connect(pose_panel_, &PosePanel::copy_wanted, documents, &DocumentControl::copy_pose);
+  connect(pose_panel_, &PosePanel::copy_matrix_wanted, documents, &DocumentControl::copy_matrix);
+  connect(pose_panel_, &PosePanel::paste_wanted, documents, &DocumentControl::paste_pose);
+  connect(pose_panel_, &PosePanel::start_wanted, documents, &DocumentControl::start_from_here);
+  connect(pose_panel_, &PosePanel::swap_wanted, documents, &DocumentControl::swap_bodies);
+  connect(start_page_, &StartPage::scene_wanted, documents, &DocumentControl::ask_scene);
+  connect(start_page_, &StartPage::meshes_wanted, documents,
+          [documents] { documents->ask_meshes(); });
+  connect(start_page_, &StartPage::chosen, this, [this](const QStringList& files) { open(files); });
 }
 
 void MainWindow::show_start_page(const QString& reason, const QStringList& files) {

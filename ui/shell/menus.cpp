@@ -264,7 +264,8 @@ void add_mended(MainWindow& window, QMenu& menu) {
   repairs->bar().set_key(next->shortcut().toString());
   QAction* bar = add_toggle(window, menu, "mended_bar", QStringLiteral("What was &mended"), {},
                             !repairs->away(), [repairs](bool on) { repairs->set_away(!on); });
-  repairs->away_changed = [bar](bool away) { bar->setChecked(!away); };
+  QObject::connect(repairs, &RepairsControl::away_changed, bar,
+                   [bar](bool away) { bar->setChecked(!away); });
 }
 
 void add_view_menu(MainWindow& window, QToolBar& bar) {

@@ -71,7 +71,7 @@ void when_opened(MainWindow& window, const Arguments& arguments) {
   if (!arguments.demo.empty()) {
     auto* demo = new Demo(window, arguments.demo);
     demo->setParent(&window);
-    demo->ended = [](int code) { QApplication::exit(code); };
+    QObject::connect(demo, &Demo::ended, demo, &QApplication::exit);
     demo->play();
   } else if (!arguments.screenshot.empty()) {
     // A moment for the servo's first ticks and the numbers.

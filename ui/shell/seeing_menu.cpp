@@ -31,6 +31,14 @@ QAction* add_toggle(MainWindow& window, QMenu& menu, const char* object, const c
   return action;
 }
 
+/// At once, and whenever the dock says something else.
+void check_where(QAction& action, SeeingControl& seeing,
+                 const std::function<bool(const Seeing&)>& is_so) {
+  const auto check = [&action, &seeing, is_so] { action.setChecked(is_so(seeing.seeing())); };
+  check();
+  QObject::connect(&seeing, &SeeingControl::changed, &action, check);
+}
+
 /// A toggle between opaque and another look, which follows what the dock says.
 void add_look(MainWindow& window, QMenu& menu, const char* object, const char* text,
               const char* key, SeeingControl& seeing, Look Seeing::*body, Look look) {
@@ -40,8 +48,7 @@ void add_look(MainWindow& window, QMenu& menu, const char* object, const char* t
     wanted.*body = on ? look : Look::opaque;
     control->set_seeing(wanted);
   });
-  control->on_change(
-      [control, action, body, look] { action->setChecked(control->seeing().*body == look); });
+  check_where(*action, seeing, [body, look](const Seeing& now) { return now.*body == look; });
 }
 
 void add_directions(MainWindow& window, QMenu& menu, SeeingControl& seeing) {
@@ -80,7 +87,7 @@ void add_seeing_menu(MainWindow& window, QMenuBar& bar, SeeingControl& seeing) {
   menu.addSeparator();
   QAction* cut = add_toggle(window, menu, "cut", "&Cut plane", "C",
                             [control](bool on) { control->set_cut(on); });
-  control->on_change([control, cut] { cut->setChecked(control->seeing().cut.on); });
+  check_where(*cut, seeing, [](const Seeing& now) { return now.cut.on; });
   add(window, menu, "cut_flip_now", "&Flip the cut", "Shift+C", [control] {
     Seeing wanted = control->seeing();
     wanted.cut.normal = -wanted.cut.normal;
@@ -97,10 +104,10 @@ void add_seeing_menu(MainWindow& window, QMenuBar& bar, SeeingControl& seeing) {
              [control](bool on) { control->set_gaps(on); });
   QAction* crossings = add_toggle(window, menu, "show_crossings", "Se&lf-intersections", "Shift+D",
                                   [control](bool on) { control->crossings().set_on(on); });
-  seeing.crossings().given_up = [control, crossings] {
+  QObject::connect(&seeing.crossings(), &CrossingFinder::given_up, crossings, [control, crossings] {
     crossings->setChecked(false);
     control->crossings().set_on(false);
-  };
+  });
   menu.addSeparator();
   add_toggle(window, menu, "follow_contact", "F&ollow the contact", "V",
              [control](bool on) { control->set_follow(on); });

@@ -59,16 +59,14 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent), recent_(new QVBoxLayout
   layout->addWidget(complaint_);
   layout->addWidget(heading(QStringLiteral("Feel how two bodies touch"), content, 1.6));
   auto* buttons = new QHBoxLayout;
-  const auto add = [&](const char* text, const char* object, std::function<void()>& wanted) {
+  const auto add = [&](const char* text, const char* object, void (StartPage::*wanted)()) {
     auto* button = new QPushButton(QString::fromUtf8(text), content);
     button->setObjectName(QLatin1String(object));
-    connect(button, &QPushButton::clicked, this, [&wanted] {
-      if (wanted) wanted();
-    });
+    connect(button, &QPushButton::clicked, this, wanted);
     buttons->addWidget(button);
   };
-  add("Open two meshes…", "start_meshes", meshes_wanted);
-  add("Open a scene…", "start_scene", scene_wanted);
+  add("Open two meshes…", "start_meshes", &StartPage::meshes_wanted);
+  add("Open a scene…", "start_scene", &StartPage::scene_wanted);
   buttons->addStretch();
   layout->addLayout(buttons);
   layout->addWidget(
@@ -124,9 +122,7 @@ QWidget* StartPage::gallery() {
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::StrongFocus);
     const QString path = folder.filePath(file);
-    connect(button, &QToolButton::clicked, this, [this, path] {
-      if (chosen) chosen({path});
-    });
+    connect(button, &QToolButton::clicked, this, [this, path] { emit chosen({path}); });
     grid->addWidget(button, at / columns, at % columns);
     ++at;
   }
@@ -145,9 +141,7 @@ void StartPage::show_recent() {
     button->setFocusPolicy(Qt::StrongFocus);
     button->setText(recent_name(files));
     button->setToolTip(files.join('\n').toHtmlEscaped());
-    connect(button, &QToolButton::clicked, this, [this, files] {
-      if (chosen) chosen(files);
-    });
+    connect(button, &QToolButton::clicked, this, [this, files] { emit chosen(files); });
     recent_->addWidget(button);
   }
 }

@@ -14,6 +14,7 @@ namespace sonde::ui {
 /// The page over the view while nothing is open: the bundled scenes with their pictures, recent
 /// files, and the ways to open something else. It covers its parent.
 class StartPage : public QWidget {
+  Q_OBJECT
  public:
   explicit StartPage(QWidget* parent);
 
@@ -22,8 +23,10 @@ class StartPage : public QWidget {
   /// Says why nothing was opened, above all else, with a button to look for it elsewhere.
   void complain(const QString& reason, std::function<void()> locate);
 
-  std::function<void()> scene_wanted, meshes_wanted;
-  std::function<void(const QStringList&)> chosen;
+ signals:
+  void scene_wanted();
+  void meshes_wanted();
+  void chosen(const QStringList& files);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -242,7 +242,7 @@ TEST_F(HistoryTest, a_second_run_takes_the_place_of_the_first_while_plots_are_he
   history().plots().show();
   settle();
   int runs = 0;
-  history().replayed = [&] { ++runs; };
+  QObject::connect(&history(), &HistoryControl::replayed, [&] { ++runs; });
   const Coupling gains = window->session()->coupling();
   for (const int run : {1, 2}) {
     history().run_again(Method::pdg, gains);
@@ -261,7 +261,7 @@ TEST_F(HistoryTest, runs_again_with_other_gains_beside_the_first) {
   Coupling soft = window->session()->coupling();
   soft.k = 50;
   bool ran = false;
-  history().replayed = [&] { ran = true; };
+  QObject::connect(&history(), &HistoryControl::replayed, [&] { ran = true; });
   history().run_again(Method::pdg, soft);
   ASSERT_TRUE(wait_until([&] { return ran; }));
   ASSERT_NE(history().replay(), nullptr);
@@ -282,7 +282,7 @@ TEST_F(HistoryTest, runs_again_with_a_and_b_and_lays_both_over_what_was_felt) {
   history().plots().raise();
   settle();
   bool ran = false;
-  history().replayed = [&] { ran = true; };
+  QObject::connect(&history(), &HistoryControl::replayed, [&] { ran = true; });
   find<QPushButton>("gains_b")->click();
   find<TypedValue>("k_value")->setValue(100);
   find<QAction>("run_both")->trigger();

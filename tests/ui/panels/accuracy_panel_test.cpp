@@ -54,10 +54,14 @@ TEST_F(AccuracyPanelTest, only_what_is_given_has_a_slider) {
 TEST_F(AccuracyPanelTest, what_the_user_gives_is_told_as_a_share_and_in_microseconds) {
   std::vector<double> times, shares, sures;
   std::vector<AccuracyPanel::Knob> kinds;
-  panel->time_changed = [&](double us) { times.push_back(us); };
-  panel->accuracy_changed = [&](double share) { shares.push_back(share); };
-  panel->sure_changed = [&](double share) { sures.push_back(share); };
-  panel->kind_chosen = [&](AccuracyPanel::Knob kind) { kinds.push_back(kind); };
+  QObject::connect(panel.get(), &AccuracyPanel::time_changed,
+                   [&](double us) { times.push_back(us); });
+  QObject::connect(panel.get(), &AccuracyPanel::accuracy_changed,
+                   [&](double share) { shares.push_back(share); });
+  QObject::connect(panel.get(), &AccuracyPanel::sure_changed,
+                   [&](double share) { sures.push_back(share); });
+  QObject::connect(panel.get(), &AccuracyPanel::kind_chosen,
+                   [&](AccuracyPanel::Knob kind) { kinds.push_back(kind); });
   find<TypedValue>("tick_time_value")->setValue(125);
   find<TypedValue>("tick_accuracy_value")->setValue(5);
   find<QRadioButton>("knob_accuracy")->click();

@@ -18,7 +18,7 @@ class AxisTableTest : public testing::Test {
   void SetUp() override {
     need_application();
     table.emplace(nullptr);
-    table->changed = [this](const AxisMap& axes) { told = axes; };
+    QObject::connect(&*table, &AxisTable::changed, [this](const AxisMap& axes) { told = axes; });
   }
   template <class T>
   T* find(const char* name) {

@@ -100,9 +100,10 @@ TEST_F(ClashPanelTest, what_is_typed_is_in_the_unit_of_the_scene_and_nothing_bel
 TEST_F(ClashPanelTest, a_click_on_a_row_chooses_that_clash_and_the_button_finds_them) {
   std::vector<std::size_t> chosen;
   int wanted = 0, stopped = 0;
-  panel->chosen = [&](std::size_t clash) { chosen.push_back(clash); };
-  panel->find_wanted = [&] { ++wanted; };
-  panel->stop_wanted = [&] { ++stopped; };
+  QObject::connect(panel.get(), &ClashPanel::chosen,
+                   [&](std::size_t clash) { chosen.push_back(clash); });
+  QObject::connect(panel.get(), &ClashPanel::find_wanted, [&] { ++wanted; });
+  QObject::connect(panel.get(), &ClashPanel::stop_wanted, [&] { ++stopped; });
   panel->show_clashes(parts, found);
   auto* rows = panel->findChild<QTreeWidget*>("clash_rows");
   emit rows->itemClicked(rows->topLevelItem(1), 3);

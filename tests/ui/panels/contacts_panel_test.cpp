@@ -40,7 +40,8 @@ class ContactsPanelTest : public testing::Test {
   void SetUp() override {
     need_application();
     panel = std::make_unique<ContactsPanel>();
-    panel->chosen_changed = [this](std::uint64_t id) { told.push_back(id); };
+    QObject::connect(panel.get(), &ContactsPanel::chosen_changed,
+                     [this](std::uint64_t id) { told.push_back(id); });
     const auto cube = sonde::test::body(sonde::test::box({0.04, 0.04, 0.04}));
     panel->take(Pair(cube, cube));
   }

@@ -23,7 +23,8 @@ class CouplingPanelTest : public testing::Test {
   void SetUp() override {
     need_application();
     panel = std::make_unique<CouplingPanel>(undo);
-    panel->changed = [this](const Coupling& coupling) { told.push_back(coupling); };
+    QObject::connect(panel.get(), &CouplingPanel::changed,
+                     [this](const Coupling& coupling) { told.push_back(coupling); });
   }
   template <class T>
   T* find(const std::string& name) const {
@@ -90,7 +91,8 @@ TEST_F(CouplingPanelTest, gains_as_opened_come_back_and_each_change_can_be_undon
 
 TEST_F(CouplingPanelTest, the_gain_of_the_mouse_is_none_of_the_coupling) {
   double gain = 0;
-  panel->mouse_gain_changed = [&](double value) { gain = value; };
+  QObject::connect(panel.get(), &CouplingPanel::mouse_gain_changed,
+                   [&](double value) { gain = value; });
   find<TypedValue>("mouse_gain_value")->setValue(0.5);
   EXPECT_EQ(gain, 0.5);
   EXPECT_TRUE(told.empty());

@@ -27,11 +27,11 @@ class DevicePanelTest : public WindowTest {
     WindowTest::SetUp();
     if (HasFatalFailure()) return;
     panel = std::make_unique<DevicePanel>();
-    panel->settings_changed = [this](const DeviceSettings& settings) {
-      changes.push_back(settings);
-    };
-    panel->chosen = [this](const InputSource& source) { choices.push_back(name_of(source)); };
-    panel->led_switched = [this](bool on) { led = on; };
+    QObject::connect(panel.get(), &DevicePanel::settings_changed,
+                     [this](const DeviceSettings& settings) { changes.push_back(settings); });
+    QObject::connect(panel.get(), &DevicePanel::chosen,
+                     [this](const InputSource& source) { choices.push_back(name_of(source)); });
+    QObject::connect(panel.get(), &DevicePanel::led_switched, [this](bool on) { led = on; });
     panel->show();
   }
   template <class T>

@@ -22,10 +22,10 @@ class GripBoxTest : public testing::Test {
   static QPushButton* button(GripBox& box, const NamedGrip& named) {
     return box.findChild<QPushButton*>(QString::fromStdString("grip_" + std::string(named.name)));
   }
-  static std::vector<const SliderRow*> rows(GripBox& box) {
-    std::vector<const SliderRow*> out;
-    for (const QWidget* each : box.findChildren<QWidget*>())
-      if (const auto* row = dynamic_cast<const SliderRow*>(each)) out.push_back(row);
+  static std::vector<SliderRow*> rows(GripBox& box) {
+    std::vector<SliderRow*> out;
+    for (QWidget* each : box.findChildren<QWidget*>())
+      if (auto* row = dynamic_cast<SliderRow*>(each)) out.push_back(row);
     return out;
   }
 };
@@ -33,7 +33,7 @@ class GripBoxTest : public testing::Test {
 TEST_F(GripBoxTest, a_named_grip_sets_every_slider_and_its_button_alone_is_pressed) {
   GripBox box(nullptr);
   std::optional<SimulatedGrip> told;
-  box.changed = [&](const SimulatedGrip& grip) { told = grip; };
+  QObject::connect(&box, &GripBox::changed, [&](const SimulatedGrip& grip) { told = grip; });
   for (const NamedGrip& named : named_grips()) {
     button(box, named)->click();
     ASSERT_TRUE(told);
@@ -49,11 +49,11 @@ TEST_F(GripBoxTest, a_named_grip_sets_every_slider_and_its_button_alone_is_press
 TEST_F(GripBoxTest, a_moved_slider_is_a_grip_without_a_name) {
   GripBox box(nullptr);
   std::optional<SimulatedGrip> told;
-  box.changed = [&](const SimulatedGrip& grip) { told = grip; };
+  QObject::connect(&box, &GripBox::changed, [&](const SimulatedGrip& grip) { told = grip; });
   button(box, named_grips()[0])->click();
-  const SliderRow* const row = rows(box).front();
+  SliderRow* const row = rows(box).front();
   const double before = row->value();
-  row->changed(row->setting().maximum * 0.7);
+  emit row->changed(row->setting().maximum * 0.7);
   ASSERT_TRUE(told);
   EXPECT_NE(get(*told, row->setting().key), before);
   for (const NamedGrip& named : named_grips()) EXPECT_FALSE(button(box, named)->isChecked());

@@ -69,7 +69,8 @@ class MapPlotTest : public ::testing::Test {
     ASSERT_TRUE(display && *display) << "these tests open windows: set DISPLAY (Xvfb will do)";
     need_application();
     plot = std::make_unique<MapPlot>(nullptr);
-    plot->asked = [this](const MapPoint& point) { asked.push_back(point); };
+    QObject::connect(plot.get(), &MapPlot::asked,
+                     [this](const MapPoint& point) { asked.push_back(point); });
     plot->resize(330, 310);
     plot->set_map(over_damping());
     plot->show();

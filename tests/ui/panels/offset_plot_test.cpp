@@ -33,7 +33,8 @@ class OffsetPlotTest : public ::testing::Test {
     ASSERT_TRUE(display && *display) << "these tests open windows: set DISPLAY (Xvfb will do)";
     need_application();
     plot = std::make_unique<OffsetPlot>(nullptr);
-    plot->asked = [this](const MapPlace& place) { asked.push_back(place); };
+    QObject::connect(plot.get(), &OffsetPlot::asked,
+                     [this](const MapPlace& place) { asked.push_back(place); });
     plot->resize(320, 250);
     plot->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(plot.get()));

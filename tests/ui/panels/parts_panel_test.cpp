@@ -36,23 +36,25 @@ class PartsPanelTest : public testing::Test {
     const auto with = [this](const char* what) {
       return [this, what](std::size_t part) { tell(what + std::to_string(part)); };
     };
-    panel->remove_wanted = with("remove ");
-    panel->colour_wanted = with("colour ");
-    panel->take_apart_wanted = with("take apart ");
-    panel->add_wanted = [this] { tell("add"); };
-    panel->swap_wanted = [this] { tell("swap"); };
-    panel->rename_wanted = [this](std::size_t part, const QString& name) {
-      tell("name " + std::to_string(part) + ' ' + name.toStdString());
-    };
-    panel->shown_wanted = [this](std::size_t part, bool on) {
+    QObject::connect(panel.get(), &PartsPanel::remove_wanted, with("remove "));
+    QObject::connect(panel.get(), &PartsPanel::colour_wanted, with("colour "));
+    QObject::connect(panel.get(), &PartsPanel::take_apart_wanted, with("take apart "));
+    QObject::connect(panel.get(), &PartsPanel::add_wanted, [this] { tell("add"); });
+    QObject::connect(panel.get(), &PartsPanel::swap_wanted, [this] { tell("swap"); });
+    QObject::connect(panel.get(), &PartsPanel::rename_wanted,
+                     [this](std::size_t part, const QString& name) {
+                       tell("name " + std::to_string(part) + ' ' + name.toStdString());
+                     });
+    QObject::connect(panel.get(), &PartsPanel::shown_wanted, [this](std::size_t part, bool on) {
       tell((on ? "show " : "hide ") + std::to_string(part));
-    };
-    panel->felt_wanted = [this](std::size_t part, bool on) {
+    });
+    QObject::connect(panel.get(), &PartsPanel::felt_wanted, [this](std::size_t part, bool on) {
       tell((on ? "feel " : "leave ") + std::to_string(part));
-    };
-    panel->chosen_changed = [this](std::optional<std::size_t> part) {
-      tell(part ? "choose " + std::to_string(*part) : "choose none");
-    };
+    });
+    QObject::connect(panel.get(), &PartsPanel::chosen_changed,
+                     [this](std::optional<std::size_t> part) {
+                       tell(part ? "choose " + std::to_string(*part) : "choose none");
+                     });
   }
   void tell(const std::string& what) { told.push_back(what); }
   QTreeWidgetItem& row(int i) const {

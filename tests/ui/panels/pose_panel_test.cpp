@@ -26,7 +26,8 @@ class PosePanelTest : public testing::Test {
   void SetUp() override {
     need_application();
     panel = std::make_unique<PosePanel>();
-    panel->placed = [this](const Pose& pose) { placed.push_back(pose); };
+    QObject::connect(panel.get(), &PosePanel::placed,
+                     [this](const Pose& pose) { placed.push_back(pose); });
     panel->show();
     panel->suggest_unit("mm");
     panel->show_pose(pose);
@@ -116,7 +117,8 @@ TEST_F(PosePanelTest, what_is_no_pose_places_nothing) {
 
 TEST_F(PosePanelTest, a_button_of_snapping_is_down_while_clicks_are_waited_for) {
   std::vector<std::optional<SnapKind>> wanted;
-  panel->snap_wanted = [&](std::optional<SnapKind> kind) { wanted.push_back(kind); };
+  QObject::connect(panel.get(), &PosePanel::snap_wanted,
+                   [&](std::optional<SnapKind> kind) { wanted.push_back(kind); });
   auto* edge = find<QPushButton>("snap_edge");
   edge->click();
   panel->show_snap(SnapKind::edge, "Click an edge of the probe.");
@@ -131,7 +133,7 @@ TEST_F(PosePanelTest, a_button_of_snapping_is_down_while_clicks_are_waited_for) 
 
 TEST_F(PosePanelTest, steps_of_the_arrow_keys_are_above_zero_and_in_its_unit) {
   Nudge nudge;
-  panel->nudge_changed = [&](const Nudge& now) { nudge = now; };
+  QObject::connect(panel.get(), &PosePanel::nudge_changed, [&](const Nudge& now) { nudge = now; });
   panel->suggest_step(5e-4);
   EXPECT_EQ(find<QLineEdit>("nudge_step")->text(), "0.5");
   type("nudge_step", "0.25");

@@ -68,12 +68,14 @@ TEST_F(RepairsBarTest, offers_what_can_be_done_and_no_more) {
 
 TEST_F(RepairsBarTest, a_button_tells_of_which_body_and_which_way) {
   QStringList told;
-  bar->show_wanted = [&](std::size_t body) { told << QStringLiteral("show %1").arg(body); };
-  bar->close_wanted = [&](std::size_t body) { told << QStringLiteral("close %1").arg(body); };
-  bar->repair_wanted = [&](std::size_t body, bool as_in_file) {
+  QObject::connect(bar.get(), &RepairsBar::show_wanted,
+                   [&](std::size_t body) { told << QStringLiteral("show %1").arg(body); });
+  QObject::connect(bar.get(), &RepairsBar::close_wanted,
+                   [&](std::size_t body) { told << QStringLiteral("close %1").arg(body); });
+  QObject::connect(bar.get(), &RepairsBar::repair_wanted, [&](std::size_t body, bool as_in_file) {
     told << QStringLiteral("%1 %2").arg(as_in_file ? "raw" : "mend").arg(body);
-  };
-  bar->put_away = [&] { told << "away"; };
+  });
+  QObject::connect(bar.get(), &RepairsBar::put_away, [&] { told << "away"; });
   RepairsRow line = row();
   line.can_show = line.can_be_as_in_file = line.can_close = true;
   bar->show_row(RepairsBar::probe, line);
@@ -90,7 +92,7 @@ TEST_F(RepairsBarTest, a_button_tells_of_which_body_and_which_way) {
 
 TEST_F(RepairsBarTest, enter_and_space_press_a_button_and_other_keys_do_not) {
   int shown = 0;
-  bar->show_wanted = [&](std::size_t) { ++shown; };
+  QObject::connect(bar.get(), &RepairsBar::show_wanted, [&](std::size_t) { ++shown; });
   RepairsRow line = row();
   line.can_show = true;
   bar->show_row(RepairsBar::probe, line);

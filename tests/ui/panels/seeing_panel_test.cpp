@@ -23,7 +23,8 @@ class SeeingPanelTest : public testing::Test {
     need_application();
     panel = std::make_unique<SeeingPanel>();
     panel->set_extent(centre, 0.2);
-    panel->changed = [this](const Seeing& seeing) { told.push_back(seeing); };
+    QObject::connect(panel.get(), &SeeingPanel::changed,
+                     [this](const Seeing& seeing) { told.push_back(seeing); });
   }
   template <class T>
   T* find(const char* name) const {
@@ -79,8 +80,8 @@ TEST_F(SeeingPanelTest, a_cut_goes_across_an_axis_through_the_middle_and_can_be_
   EXPECT_EQ(told.back().cut.normal, -Vec3::UnitZ());
   EXPECT_EQ(told.back().cut.point, centre);
   int snapped = 0, faced = 0;
-  panel->snap_wanted = [&] { ++snapped; };
-  panel->face_wanted = [&] { ++faced; };
+  QObject::connect(panel.get(), &SeeingPanel::snap_wanted, [&] { ++snapped; });
+  QObject::connect(panel.get(), &SeeingPanel::face_wanted, [&] { ++faced; });
   click("cut_snap");
   EXPECT_EQ(std::pair(snapped, faced), std::pair(1, 0));
   click("cut_face");
@@ -89,7 +90,8 @@ TEST_F(SeeingPanelTest, a_cut_goes_across_an_axis_through_the_middle_and_can_be_
 
 TEST_F(SeeingPanelTest, the_reach_of_the_gap_is_in_the_unit_of_the_scene_and_above_zero) {
   std::vector<std::optional<double>> reaches;
-  panel->gap_reach_changed = [&](std::optional<double> reach) { reaches.push_back(reach); };
+  QObject::connect(panel.get(), &SeeingPanel::gap_reach_changed,
+                   [&](std::optional<double> reach) { reaches.push_back(reach); });
   auto* field = find<NumberField>("gap_reach");
   const auto type = [&](const char* text) {
     field->selectAll();
@@ -110,9 +112,11 @@ TEST_F(SeeingPanelTest, the_reach_of_the_gap_is_in_the_unit_of_the_scene_and_abo
 TEST_F(SeeingPanelTest, saved_views_are_gone_to_and_forgotten) {
   std::vector<int> wanted, forgotten;
   int saved = 0;
-  panel->view_wanted = [&](int view) { wanted.push_back(view); };
-  panel->forget_wanted = [&](int view) { forgotten.push_back(view); };
-  panel->save_wanted = [&] { ++saved; };
+  QObject::connect(panel.get(), &SeeingPanel::view_wanted,
+                   [&](int view) { wanted.push_back(view); });
+  QObject::connect(panel.get(), &SeeingPanel::forget_wanted,
+                   [&](int view) { forgotten.push_back(view); });
+  QObject::connect(panel.get(), &SeeingPanel::save_wanted, [&] { ++saved; });
   panel->show_saved({"front", "inside"});
   click("view_forget");
   EXPECT_TRUE(forgotten.empty()) << "none is chosen";

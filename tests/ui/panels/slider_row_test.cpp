@@ -28,7 +28,7 @@ class SliderRowTest : public testing::Test {
 TEST_F(SliderRowTest, the_middle_of_a_logarithmic_slider_is_the_geometric_mean) {
   SliderRow row(logarithmic, nullptr);
   std::vector<double> told;
-  row.changed = [&](double value) { told.push_back(value); };
+  QObject::connect(&row, &SliderRow::changed, [&](double value) { told.push_back(value); });
   slider(row).setValue(slider(row).maximum() / 2);
   ASSERT_EQ(told.size(), 0u) << "it stood there: 1000 is the mean of 10 and 1e5";
   slider(row).setValue(0);
@@ -41,7 +41,7 @@ TEST_F(SliderRowTest, the_middle_of_a_logarithmic_slider_is_the_geometric_mean) 
 TEST_F(SliderRowTest, a_typed_value_moves_the_slider_and_is_told_once) {
   SliderRow row(linear, nullptr);
   std::vector<double> told;
-  row.changed = [&](double value) { told.push_back(value); };
+  QObject::connect(&row, &SliderRow::changed, [&](double value) { told.push_back(value); });
   typed(row).setValue(0.5);
   EXPECT_EQ(told, std::vector<double>{0.5});
   EXPECT_EQ(slider(row).value(), slider(row).maximum() * 3 / 4);
@@ -50,7 +50,7 @@ TEST_F(SliderRowTest, a_typed_value_moves_the_slider_and_is_told_once) {
 
 TEST_F(SliderRowTest, what_is_shown_is_not_told) {
   SliderRow row(linear, nullptr);
-  row.changed = [](double) { ADD_FAILURE(); };
+  QObject::connect(&row, &SliderRow::changed, [](double) { ADD_FAILURE(); });
   row.set_value(-0.25);
   EXPECT_EQ(row.value(), -0.25);
   EXPECT_EQ(typed(row).value(), -0.25);

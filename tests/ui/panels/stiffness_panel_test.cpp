@@ -45,7 +45,7 @@ class StiffnessPanelTest : public testing::Test {
 
 TEST_F(StiffnessPanelTest, the_recommended_gains_can_be_used_once_every_row_is_found) {
   int applied = 0;
-  panel->apply_asked = [&] { ++applied; };
+  QObject::connect(panel.get(), &StiffnessPanel::apply_asked, [&] { ++applied; });
   EXPECT_FALSE(shows("map_axis") || shows("apply_recommended") || shows("recommendation"));
   EXPECT_TRUE(text("tuning_source").startsWith("There is no map yet"));
   Tuning tuning = tuning_to_600();
@@ -104,7 +104,7 @@ TEST_F(StiffnessPanelTest, a_map_of_another_device_is_doubted) {
 
 TEST_F(StiffnessPanelTest, of_two_sets_of_gains_one_is_pressed) {
   int switched = 0;
-  panel->switch_asked = [&] { ++switched; };
+  QObject::connect(panel.get(), &StiffnessPanel::switch_asked, [&] { ++switched; });
   Coupling classic;
   classic.mode = Coupling::Mode::classic;
   classic.k_t = 250;

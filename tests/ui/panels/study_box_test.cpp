@@ -41,9 +41,9 @@ TEST(StudyBoxTest, each_button_asks_for_its_own_and_what_cannot_be_is_off) {
   need_application();
   StudyBox box({"omega.7"}, nullptr);
   std::string asked;
-  box.load_asked = [&] { asked += "load "; };
-  box.compute_asked = [&] { asked += "compute "; };
-  box.save_asked = [&] { asked += "save "; };
+  QObject::connect(&box, &StudyBox::load_asked, [&] { asked += "load "; });
+  QObject::connect(&box, &StudyBox::compute_asked, [&] { asked += "compute "; });
+  QObject::connect(&box, &StudyBox::save_asked, [&] { asked += "save "; });
   box.set_unsaved(false);
   for (const char* name : {"save_tuning", "compute_tuning", "load_tuning"})
     button_of(box, name).click();
@@ -71,7 +71,7 @@ TEST(StudyBoxTest, the_line_of_a_study_at_work_is_there_as_long_as_it_is) {
   QWidget window;
   StudyProgressRow row(&window);
   int stopped = 0;
-  row.stop_asked = [&] { ++stopped; };
+  QObject::connect(&row, &StudyProgressRow::stop_asked, [&] { ++stopped; });
   EXPECT_FALSE(row.isVisibleTo(&window));
   row.show_progress(StudyProgress{.fraction = 0.25, .words = "3 of 12 rows"});
   EXPECT_TRUE(row.isVisibleTo(&window));

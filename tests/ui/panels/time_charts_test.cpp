@@ -112,9 +112,11 @@ TEST_F(TimeChartsTest, a_line_ends_where_its_ticks_do) {
 TEST_F(TimeChartsTest, a_click_asks_for_its_time_and_a_drag_for_as_much_as_it_moves) {
   std::vector<double> clicked, hovered;
   double dragged = 0;
-  charts->clicked = [&](double time) { clicked.push_back(time); };
-  charts->hovered = [&](double time) { hovered.push_back(time); };
-  charts->dragged = [&](double seconds) { dragged += seconds; };
+  QObject::connect(charts.get(), &TimeCharts::clicked,
+                   [&](double time) { clicked.push_back(time); });
+  QObject::connect(charts.get(), &TimeCharts::hovered,
+                   [&](double time) { hovered.push_back(time); });
+  QObject::connect(charts.get(), &TimeCharts::dragged, [&](double seconds) { dragged += seconds; });
   mouse(QEvent::MouseMove, 120, Qt::NoButton, Qt::NoButton);
   EXPECT_EQ(hovered, std::vector<double>{charts->time_at(120)});
   mouse(QEvent::MouseButtonPress, 150, Qt::LeftButton, Qt::LeftButton);
@@ -132,10 +134,10 @@ TEST_F(TimeChartsTest, a_click_asks_for_its_time_and_a_drag_for_as_much_as_it_mo
 
 TEST_F(TimeChartsTest, a_notch_of_the_wheel_and_one_back_are_nothing) {
   double all = 1, about = 0;
-  charts->zoomed = [&](double factor, double time) {
+  QObject::connect(charts.get(), &TimeCharts::zoomed, [&](double factor, double time) {
     all *= factor;
     about = time;
-  };
+  });
   const auto turn = [&](int by) {
     QWheelEvent wheel(QPointF(300, 50), charts->mapToGlobal(QPoint(300, 50)), {}, {0, by},
                       Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);

@@ -23,14 +23,17 @@ class TimelinePanelTest : public testing::Test {
     const auto flag = [this](const char* what) {
       return [this, what](bool on) { told << QString(what) + (on ? " on" : " off"); };
     };
-    panel->played = flag("play");
-    panel->looped = flag("loop");
-    panel->recorded = flag("record");
-    panel->replay_shown = flag("replay");
-    panel->live_wanted = [this] { told << "live"; };
-    panel->sought = [this](double time) { told << QStringLiteral("seek %1").arg(time); };
-    panel->stepped = [this](int ticks) { told << QStringLiteral("step %1").arg(ticks); };
-    panel->speed_changed = [this](double speed) { told << QStringLiteral("× %1").arg(speed); };
+    QObject::connect(panel.get(), &TimelinePanel::played, flag("play"));
+    QObject::connect(panel.get(), &TimelinePanel::looped, flag("loop"));
+    QObject::connect(panel.get(), &TimelinePanel::recorded, flag("record"));
+    QObject::connect(panel.get(), &TimelinePanel::replay_shown, flag("replay"));
+    QObject::connect(panel.get(), &TimelinePanel::live_wanted, [this] { told << "live"; });
+    QObject::connect(panel.get(), &TimelinePanel::sought,
+                     [this](double time) { told << QStringLiteral("seek %1").arg(time); });
+    QObject::connect(panel.get(), &TimelinePanel::stepped,
+                     [this](int ticks) { told << QStringLiteral("step %1").arg(ticks); });
+    QObject::connect(panel.get(), &TimelinePanel::speed_changed,
+                     [this](double speed) { told << QStringLiteral("× %1").arg(speed); });
   }
   template <class T>
   T* find(const char* name) const {

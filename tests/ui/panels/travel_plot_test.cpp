@@ -31,7 +31,7 @@ class TravelPlotTest : public ::testing::Test {
     ASSERT_TRUE(display && *display) << "these tests open windows: set DISPLAY (Xvfb will do)";
     need_application();
     plot = std::make_unique<TravelPlot>(nullptr);
-    plot->sought = [this](double travel) { sought = travel; };
+    QObject::connect(plot.get(), &TravelPlot::sought, [this](double travel) { sought = travel; });
     plot->resize(320, 250);
     plot->set_curves(curves_of(200), LengthUnit());
     plot->show();

@@ -89,10 +89,10 @@ TEST_F(WayInPanelTest, along_the_recorded_path_there_is_no_axis_to_choose) {
 
 TEST_F(WayInPanelTest, one_button_at_a_time_waits_for_a_click_in_the_view) {
   std::vector<WayPick> picks;
-  panel->pick_wanted = [&](WayPick what) {
+  QObject::connect(panel.get(), &WayInPanel::pick_wanted, [&](WayPick what) {
     picks.push_back(what);
     panel->show_picking(what);
-  };
+  });
   button("way_edge")->click();
   button("map_face")->click();
   EXPECT_FALSE(button("way_edge")->isChecked());
@@ -104,10 +104,11 @@ TEST_F(WayInPanelTest, one_button_at_a_time_waits_for_a_click_in_the_view) {
 
 TEST_F(WayInPanelTest, a_result_can_be_played_and_its_first_contact_gone_to) {
   QStringList told;
-  panel->play_wanted = [&](bool on) { told << (on ? "play" : "hold"); };
-  panel->first_wanted = [&] { told << "first"; };
-  panel->compute_wanted = [&] { told << "compute"; };
-  panel->map_asked = [&] { told << "map"; };
+  QObject::connect(panel.get(), &WayInPanel::play_wanted,
+                   [&](bool on) { told << (on ? "play" : "hold"); });
+  QObject::connect(panel.get(), &WayInPanel::first_wanted, [&] { told << "first"; });
+  QObject::connect(panel.get(), &WayInPanel::compute_wanted, [&] { told << "compute"; });
+  QObject::connect(panel.get(), &WayInPanel::map_asked, [&] { told << "map"; });
   TravelCurves curves{.travel = {0, 0.1}, .room = {0.01, -0.01}, .force = {0, 5}, .first = 0.05};
   panel->show_result("It binds at 50 mm.", curves);
   EXPECT_EQ(find<QLabel>("way_summary")->text(), "It binds at 50 mm.");

@@ -15,8 +15,8 @@ TEST(WorkRowTest, work_that_goes_on_can_be_stopped_and_none_can_be_started) {
   need_application();
   WorkRow row("Study", "study", nullptr);
   int started = 0, stopped = 0;
-  row.start_wanted = [&] { ++started; };
-  row.stop_wanted = [&] { ++stopped; };
+  QObject::connect(&row, &WorkRow::start_wanted, [&] { ++started; });
+  QObject::connect(&row, &WorkRow::stop_wanted, [&] { ++stopped; });
   auto* const start = row.findChild<QPushButton*>("study");
   auto* const stop = row.findChild<QPushButton*>("study_stop");
   auto* const bar = row.findChild<QProgressBar*>();

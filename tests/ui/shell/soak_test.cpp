@@ -86,11 +86,8 @@ class Soak : public WindowTest {
 
   Run run_for(double seconds) {
     Run run;
-    const auto logged = window->stiffness().ticked;
-    window->stiffness().ticked = [&](const Snapshot& tick) {
-      logged(tick);
-      run.ticks.take(tick);
-    };
+    const auto taking = QObject::connect(&window->stiffness(), &StiffnessControl::ticked,
+                                         [&](const Snapshot& tick) { run.ticks.take(tick); });
     const std::size_t frames = window->frames();
     sonde::test::NamedAllocationCounter counter(servo_threads);
     QElapsedTimer clock;
@@ -104,7 +101,7 @@ class Soak : public WindowTest {
     window->set_paused(true);
     wait_until([this] { return shown().paused && window->session()->latest()->paused; });
     wait(100);  // the last ticks are read
-    window->stiffness().ticked = logged;
+    QObject::disconnect(taking);
     run.timing = window->session()->timing();
     run.allocations = counter.allocations();
     run.frees = counter.frees();

@@ -101,9 +101,10 @@ TEST_F(Stalls, Full_no_event_waits_for_more_than_50_ms) {
   run(dog, "play", [&] { history.play(true), wait(1000), history.go_live(); });
   run(dog, "run again", [&] {
     bool ran = false;
-    history.replayed = [&] { ran = true; };
+    const auto hears = QObject::connect(&history, &HistoryControl::replayed, [&] { ran = true; });
     history.run_again(Method::pdg, {});
     EXPECT_TRUE(wait_until([&] { return ran; }));
+    QObject::disconnect(hears);
     history.go_live();
     history.plots().hide();
   });
