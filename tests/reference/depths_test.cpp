@@ -60,7 +60,7 @@ TEST(Depths, every_case_has_its_row) {
   EXPECT_EQ(known_rows().size(), count) << "rows of a pair that is not there";
   EXPECT_GE(rows().size(), 200U);
   EXPECT_GE(pair_specs().size(), 12U);
-  EXPECT_EQ(deep_tuning_specs().size() + deep_reporting_specs().size(), 12U);
+  EXPECT_EQ(deep_tuning_specs().size() + deep_reporting_specs().size(), 16U);
 }
 
 void check(const Row& row, const Case& at, const Body& probe, const Body& fixed,

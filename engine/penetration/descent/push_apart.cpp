@@ -114,6 +114,7 @@ std::optional<Vec6> PushApart::from(const Chart& chart, const Vec6& start, doubl
                                     const Deadline& deadline) {
   const double margin = push_apart_tuning.margin * chart.mass().radius;
   Vec6 y = start;
+  int returns = 0;
   for (int looks = 0; looks < push_apart_tuning.most_looks && !deadline.passed(); ++looks) {
     if (is_free(chart, y)) return y;
     gather(chart, y, margin);
@@ -121,8 +122,10 @@ std::optional<Vec6> PushApart::from(const Chart& chart, const Vec6& start, doubl
     Vec6 step = compromise();
     step *= std::min(1.0, descent_tuning.largest_turn / std::max(chart.v(step).norm(), 1e-30));
     y += step;
-    if (!(chart.v(y).norm() < push_apart_tuning.largest_start_v && y.norm() < farthest))
-      return std::nullopt;
+    if (!(chart.v(y).norm() < push_apart_tuning.largest_start_v)) return std::nullopt;
+    if (y.norm() < farthest) continue;
+    if (!(y.norm() > 0) || ++returns > push_apart_tuning.most_returns) return std::nullopt;
+    y *= push_apart_tuning.returns_to * farthest / y.norm();
   }
   return std::nullopt;
 }

@@ -125,7 +125,7 @@ LocalOptimum Starts::push_apart_within(double radius, Random& random, const Aim&
   return push_apart_and_descend(lanes_[lane].sample(random, radius, aim.method), aim, lane);
 }
 
-std::optional<Vec6> Starts::along_axes(Random& random, double farthest) const {
+std::optional<Vec6> Starts::fitted(Random& random, double farthest, std::size_t lane) {
   const MassProperties &probe = probe_.mass, &fixed = fixed_.mass;
   const Pose& device = chart_.device();
   const auto axis_of = [&](const Mat3& axes) {
@@ -134,13 +134,46 @@ std::optional<Vec6> Starts::along_axes(Random& random, double farthest) const {
   };
   for (int tries = 0; tries < tuned_.tries_in_a_ball; ++tries) {
     const Vec3 axis = axis_of(fixed.R_MP), own = device.q * axis_of(probe.R_MP);
-    const Quat spin = rotation_about(axis, random.uniform(-1, 1) * std::numbers::pi);
-    const Quat q = (spin * Quat::FromTwoVectors(own, axis) * device.q).normalized();
+    const Quat upright = Quat::FromTwoVectors(own, axis) * device.q;
+    const double spin = random.uniform(-1, 1) * std::numbers::pi;
     const Vec3 centre = fixed.com + random.uniform(-1, 1) * fixed.radius * axis;
-    const Vec6 y = chart_.coordinates({q, centre - q * probe.com});
-    if (chart_.v(y).norm() < tuned_.largest_start_v && y.norm() < farthest) return y;
+    const Vec3 aside = axis.unitOrthogonal(), beside = axis.cross(aside);
+    const auto placed = [&](const Vec3& by) -> std::optional<Vec6> {
+      const Quat q = (rotation_about(axis, spin + by[0] / probe.radius) * upright).normalized();
+      const Vec6 y =
+          chart_.coordinates({q, centre + by[1] * aside + by[2] * beside - q * probe.com});
+      if (chart_.v(y).norm() < tuned_.largest_start_v && y.norm() < farthest) return y;
+      return std::nullopt;
+    };
+    if (const auto y =
+            sketch_descents_.empty() ? placed(Vec3::Zero()) : least_overlap(placed, lane))
+      return y;
   }
   return std::nullopt;
+}
+
+std::optional<Vec6> Starts::least_overlap(
+    const std::function<std::optional<Vec6>(const Vec3&)>& placed, std::size_t lane) {
+  SketchDescent& sketches = sketch_descents_[lane];
+  std::optional<Vec6> best;
+  double least = std::numeric_limits<double>::infinity();
+  Vec3 at = Vec3::Zero();
+  const auto look = [&](const Vec3& by) {
+    const auto y = placed(by);
+    if (!y) return;
+    const double depth = sketches.depth_of_points(chart_, *y);
+    if (depth < least) least = depth, at = by, best = y;
+  };
+  const double cell = sketches.spacing();
+  for (double turn = 0; turn < 2 * std::numbers::pi * probe_.mass.radius; turn += 2 * cell)
+    look({turn, 0, 0});
+  for (const double step : {cell, cell / 2})
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 middle = at;
+      look(middle - step * Vec3::Unit(k));
+      look(middle + step * Vec3::Unit(k));
+    }
+  return best;
 }
 
 LocalOptimum Starts::descend_from_ball(double width, Random random, const Aim& aim,
@@ -169,13 +202,18 @@ LocalOptimum Starts::descend_in_round(std::size_t turn, std::size_t k,
   if (k >= far_starts)
     return descend_near_end(ends[(turn * (per_round - far_starts) + k) % ends.size()], random, aim,
                             lane);
-  if (probe_.solid && fixed_.solid && turn % 2 == 0) {
-    const double radius = random.uniform(tuned_.same_place, tuned_.farthest_overlap) * aim.beat;
-    LocalOptimum out = push_apart_within(radius, random, aim, lane);
+  const auto independent = [](LocalOptimum out) {
     out.starts = 1;
     return out;
+  };
+  if (k > 0 && aim.method == Method::pdg && !sketch_descents_.empty())
+    if (const auto y = fitted(random, tuned_.farthest_overlap * aim.beat, lane))
+      return independent(push_apart_and_descend(*y, aim, lane));
+  if (probe_.solid && fixed_.solid && turn % 2 == 0) {
+    const double radius = random.uniform(tuned_.same_place, tuned_.farthest_overlap) * aim.beat;
+    return independent(push_apart_within(radius, random, aim, lane));
   }
-  return descend_from_ball(tuned_.far_widths[k], random, aim, lane);
+  return descend_from_ball(tuned_.far_widths[(turn / 2 + k) % far_starts], random, aim, lane);
 }
 
 LocalOptimum Starts::descend_from_outside(std::size_t k, const Aim& aim, std::size_t lane) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -51,9 +52,13 @@ class Starts {
   /// As push_apart_and_descend(), from a random overlap within `radius`, m.
   LocalOptimum push_apart_within(double radius, Random& random, const Aim& aim, std::size_t lane);
   /// y of an overlap in which a principal axis of the probe lies along one of the fixed body, and
-  /// both centres of mass on one line along it. The spin about the axis and the position along it
-  /// are random. Within `farthest`, m; no value if such poses are rare.
-  std::optional<Vec6> along_axes(Random& random, double farthest) const;
+  /// both centres of mass on one line along it, as in parts that are made to fit. The position
+  /// along the axis is random. So is the spin about it if there are no sketches. Otherwise the spin
+  /// and the position across the axis are those of the least overlap of the sketches: in a fit
+  /// finer than their cells, the bodies can hardly be pushed apart from any other, and the centre
+  /// of a hole is not the centre of mass of the body round it. Within `farthest`, m; no value if
+  /// such poses are rare.
+  std::optional<Vec6> fitted(Random& random, double farthest, std::size_t lane);
   /// Descends from a random free pose in a ball of `width` times the best depth, or in a larger
   /// one.
   LocalOptimum descend_from_ball(double width, Random random, const Aim& aim, std::size_t lane);
@@ -61,9 +66,10 @@ class Starts {
   /// together.
   LocalOptimum descend_near_end(const Vec6& end, Random random, const Aim& aim, std::size_t lane);
   /// The k-th start of a round of random starts. Most start near the best ends, because where there
-  /// are many, the better ones lie together. Others start from a random free pose of a ball
-  /// somewhat larger than the best depth so far. If both bodies are solids, these start from an
-  /// overlap instead in every other round (`turn`).
+  /// are many, the better ones lie together. Of the others, in a search for PD_g with sketches, two
+  /// start from a fitted() overlap. The rest start from a random free pose of a ball somewhat
+  /// larger than the best depth so far, or if both bodies are solids, in every other round
+  /// (`turn`), from a random overlap.
   static constexpr std::size_t per_round = 8;
   LocalOptimum descend_in_round(std::size_t turn, std::size_t k, const std::vector<Vec6>& ends,
                                 Random random, const Aim& aim, std::size_t lane);
@@ -76,6 +82,11 @@ class Starts {
     return {aim.steps, beat, before_};
   }
   SearchWorker::Limits limits(const Aim& aim) const { return limits(aim, aim.beat); }
+  /// Of the poses `placed` by a spin and two shifts across an axis (each in m; the spin as the way
+  /// of a point at the probe's radius), one at which the sketches overlap little: the best spin at
+  /// no shift, improved one coordinate at a time, down to half a cell of the sketches.
+  std::optional<Vec6> least_overlap(const std::function<std::optional<Vec6>(const Vec3&)>& placed,
+                                    std::size_t lane);
   std::optional<Vec6> first_free_beyond(const Vec6& end, Method method, std::size_t lane) const;
   std::optional<Vec6> freed(const Vec6& end, Method method, std::size_t lane);
   std::optional<Vec6> free_sample(Random& random, const Vec6& center, double radius, int tries,

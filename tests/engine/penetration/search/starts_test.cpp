@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/proximity/queries/intersect.hpp"
+#include "tests/support/fitted_parts.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
@@ -74,6 +75,47 @@ TEST(Starts, surfaces_have_no_sketches) {
   const Pair pair(soup, soup);
   const Chart chart(soup->mass, {});
   EXPECT_TRUE(Starts(pair, chart, {}).sketch_descents().empty());
+}
+
+// Reference: the fit itself, whose y is known: a plug with five points belongs in a hole of its
+// shape, 0.04 of its radius wider, whose centre is not that of the body round it. It stands askew
+// in it, and by half of the angle between two points turned about its axis.
+TEST(FittedStarts, the_spin_and_the_place_across_the_axis_are_those_of_the_least_overlap) {
+  test::Section hole = test::toothed_section(5, 0.008, 0.016);
+  const auto plug = test::body(test::fitted_plug(hole, 0.007, {}));
+  PolygonSoup ring = test::fitted_socket(test::grown(hole, 0.0006), 1.6, 0.010, {});
+  // A block at one side moves the centre of mass, and turns no principal axis by more than a
+  // little.
+  const PolygonSoup block = test::box({0.01, 0.012, 0.016});
+  const auto first = static_cast<std::uint32_t>(ring.points.size());
+  for (const Vec3& x : block.points) ring.points.push_back(x + Vec3(0.04, 0, 0));
+  for (auto polygon : block.polygons) {
+    for (auto& corner : polygon) corner += first;
+    ring.polygons.push_back(polygon);
+  }
+  const auto body = test::body(ring);
+  ASSERT_GT(body->mass.com.head<2>().norm(), 0.0006) << "the axes would meet without a search";
+  const Pair pair{plug, body};
+  const Pose device{Quat(Eigen::AngleAxisd(0.6, Vec3(0.05, 0.02, 1).normalized())),
+                    {0.001, 0.0005, 0.001}};
+  const Chart chart(plug->mass, device);
+  const double fit = chart.coordinates({Quat::Identity(), {0, 0, 0.001}}).norm();
+  Starts starts(pair, chart, {});
+  ASSERT_FALSE(starts.sketch_descents().empty());
+  int within = 0, found = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    Random random(seed);
+    const auto y = starts.fitted(random, 1.2 * fit, 0);
+    if (!y) continue;
+    ++within;
+    EXPECT_LT(y->norm(), 1.2 * fit) << seed;
+    const LocalOptimum end =
+        starts.push_apart_and_descend(*y, {Method::pdg, 1.2 * fit, 50, nullptr}, 0);
+    if (!(end.depth < fit * (1 + 1e-6))) continue;
+    ++found;
+    EXPECT_FALSE(overlap(*plug, *body, Transform(chart.pose(end.y)), Doubt::exact)) << seed;
+  }
+  EXPECT_GE(found, 3) << "of " << within;
 }
 
 }  // namespace
