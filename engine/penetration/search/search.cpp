@@ -158,9 +158,6 @@ void Search::pushed_starts() {
   round(
       [&](std::size_t k, std::size_t lane) {
         Random random = stream(2500 + k);
-        if (rotates() && k % 2 == 0)
-          if (const auto y = starts_.fitted(random, tuned_.farthest_overlap * optima_.best(), lane))
-            return starts_.push_apart_and_descend(*y, aim(options_.method), lane);
         const double radius = random.uniform(tuned_.same_place, tuned_.farthest_push) *
                               std::min(optima_.best(), probe_.mass.radius);
         return starts_.push_apart_within(radius, random, aim(options_.method), lane);

@@ -206,14 +206,17 @@ LocalOptimum Starts::descend_in_round(std::size_t turn, std::size_t k,
     out.starts = 1;
     return out;
   };
-  if (k > 0 && aim.method == Method::pdg && !sketch_descents_.empty())
+  const bool may_fit = aim.method == Method::pdg && !sketch_descents_.empty();
+  if (may_fit && k > 0)
     if (const auto y = fitted(random, tuned_.farthest_overlap * aim.beat, lane))
       return independent(push_apart_and_descend(*y, aim, lane));
   if (probe_.solid && fixed_.solid && turn % 2 == 0) {
     const double radius = random.uniform(tuned_.same_place, tuned_.farthest_overlap) * aim.beat;
     return independent(push_apart_within(radius, random, aim, lane));
   }
-  return descend_from_ball(tuned_.far_widths[(turn / 2 + k) % far_starts], random, aim, lane);
+  // If this is the only ball of the round, rounds take turns with the widths.
+  const std::size_t width = may_fit ? (turn / 2 + k) % far_starts : k;
+  return descend_from_ball(tuned_.far_widths[width], random, aim, lane);
 }
 
 LocalOptimum Starts::descend_from_outside(std::size_t k, const Aim& aim, std::size_t lane) {
