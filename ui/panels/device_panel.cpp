@@ -95,8 +95,9 @@ void DevicePanel::build_choice(QVBoxLayout& layout) {
   layout.addWidget(sources_);
   connect(sources_, qOverload<int>(&QComboBox::activated), this, [this](int i) {
     const auto at = static_cast<std::size_t>(i);
-    if (at < choices_.size()) emit chosen(choices_[at]);
-    if (at >= choices_.size()) emit path_wanted();
+    if (at >= choices_.size()) return emit path_wanted();
+    const InputSource wanted = choices_[at];  // who hears of it may list the choices anew
+    emit chosen(wanted);
   });
 }
 

@@ -31,7 +31,7 @@ class OneDofMotion {
     double from, to;
     double cosine, sine;  ///< of the middle of the interval
   };
-  /// Adds to `out` all s within a interval at which two triangles may begin or cease to intersect:
+  /// Adds to `out` all s within an interval at which two triangles may begin or cease to intersect:
   /// a corner passes through the plane of the other triangle, or two edges become coplanar, or, if
   /// both triangles stay in one plane, a corner passes over the line of a side of the other. `a` is
   /// the probe's triangle at X_FM; both are in F. `flat` (m): a corner within this distance of the

@@ -105,31 +105,32 @@ struct SearchTuning {
   /// and they cost a third of the median.
   std::size_t pushes = 8;
   /// Factor on the depth of the deepest sketch point in the other body at the device pose. If the
-  /// search has settled and the best depth is no larger than this, it needs no pushes, since no
+  /// evidence is conclusive and the best depth is no larger than this, it needs no pushes, since no
   /// separating motion is much shorter than the depth of that point. (With 1.5, with 2.5, and with
   /// pushes on every pose, 241 of the 244 poses are within 1 %; the median is 15.3, 13.9 and 18.3
   /// ms, measured beside other work.) If the best depth is larger, the random starts of PD_g are
-  /// overlaps too. (With 1e9 none are: on the 128 poses of deep_tuning.csv with three seeds, 310 of
-  /// 384 are then within 1 % instead of 359.) If the factor is larger, a separating motion through
+  /// overlaps too. (With 1e9 none are: of the 160 poses of deep_tuning.csv, 150 are then within
+  /// 1 % instead of 156.) If the factor is larger, a separating motion through
   /// a narrow gap may be missed.
   double narrow = 2.5;
   double farthest_push = 0.8;  ///< times the best depth, or R if that is less
-  /// Factor on the best depth: limit of |y| while an overlap is pushed apart.
+  /// Factor on the best depth: limit of |y| while an overlap is pushed apart. Beyond it, it is
+  /// moved back, and after some returns given up (PushApartTuning).
   double given_up_at = 1.3;
 
   // Random starts
   /// Maximum number of random starts after the starts on sketches. On depths.csv, 16, 32, 64 and
   /// 160 of them leave the same poses of three seeds over 1 % too deep; with the bodies moved, 32
   /// lose two poses more than 64, one by 22 %. Without sketches, StaticOptions::starts is the
-  /// limit. If overlaps are pushed apart instead (see `narrow`): with 32, 64, 128 and 192 of them
-  /// 348, 359, 368 and 370 of those 384 are within 1 %, and the median is 52 to 65, 62 to 79, 88 to
-  /// 119 and 121 to 141 ms (the last two beside a build).
+  /// limit. If overlaps are pushed apart instead (see `narrow`): with 32, 64, 128 and 256 of them
+  /// 283, 301, 309 and 313 of 320 searches on deep_tuning.csv are within 1 %, in medians of 53, 72,
+  /// 102 and 171 ms.
   int most_after_sketches = 128;
   /// Grid cells: a random pose at which the sketches overlap more deeply is rejected without a test
   /// of the bodies. If it is lower, free poses are rejected where the sketches are wrong.
   double plainly_deep = 0.3;
-  /// Random poses tried in one ball until one is free. If none is, the ball grows, and a short
-  /// separating motion may be missed.
+  /// Random poses tried in one ball until one is free, and random axes until one is near enough. If
+  /// none is, the ball grows, and a short separating motion may be missed.
   int tries_in_a_ball = 50;
   int near_tries = 12;          ///< the same for near starts: pockets are small
   int near_tries_timed = 5;     ///< the same with a time budget, which more would use up
@@ -148,7 +149,7 @@ struct SearchTuning {
   std::size_t ends_for_starts = 6;
   double about_nearest = 0.03;  ///< times the best depth: least radius of the ball about an end
   double about_wider = 0.47;    ///< times the best depth: largest addition; small ones are likelier
-  double farthest_overlap = 1.2;  ///< times the best depth: between solids, overlaps to push apart
+  double farthest_overlap = 1.2;  ///< times the best depth: overlaps to push apart
   /// Times the best depth: radii of the first balls of far starts. (The ball of the best depth
   /// itself has no free pose.)
   double far_widths[3] = {0.75, 1.15, 1.5};

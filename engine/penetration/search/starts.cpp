@@ -2,6 +2,7 @@
 #include "engine/penetration/search/starts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -14,6 +15,11 @@ namespace {
 
 /// The starts of a random round that are not near known ends.
 constexpr std::size_t far_starts = std::size(search_tuning.far_widths);
+
+/// Number of spins that least_overlap() compares at most, 3.75 degrees apart. Two solids of like
+/// size need some 40 for steps of two cells; a large surface about a small solid would need any
+/// number, and its best spin may then lie between two.
+constexpr double most_turns = 96;
 
 }  // namespace
 
@@ -132,11 +138,14 @@ std::optional<Vec6> Starts::fitted(Random& random, double farthest, std::size_t 
     const Vec3 axis = axes.col(std::min(2, static_cast<int>(random.uniform(0, 3))));
     return Vec3(random.uniform(0, 1) < 0.5 ? -axis : axis);
   };
-  for (int tries = 0; tries < tuned_.tries_in_a_ball; ++tries) {
+  const double cell = sketch_descents_.empty() ? 0 : sketch_descents_[lane].spacing();
+  for (int tries = 0; tries < tuned_.tries_in_a_ball && !before_.passed(); ++tries) {
     const Vec3 axis = axis_of(fixed.R_MP), own = device.q * axis_of(probe.R_MP);
     const Quat upright = Quat::FromTwoVectors(own, axis) * device.q;
     const double spin = random.uniform(-1, 1) * std::numbers::pi;
     const Vec3 centre = fixed.com + random.uniform(-1, 1) * fixed.radius * axis;
+    // No spin, and no shift of one and a half cells in two directions, brings it near enough.
+    if ((centre - chart_.com()).norm() >= farthest + 3 * cell) continue;
     const Vec3 aside = axis.unitOrthogonal(), beside = axis.cross(aside);
     const auto placed = [&](const Vec3& by) -> std::optional<Vec6> {
       const Quat q = (rotation_about(axis, spin + by[0] / probe.radius) * upright).normalized();
@@ -165,8 +174,10 @@ std::optional<Vec6> Starts::least_overlap(
     if (depth < least) least = depth, at = by, best = y;
   };
   const double cell = sketches.spacing();
-  for (double turn = 0; turn < 2 * std::numbers::pi * probe_.mass.radius; turn += 2 * cell)
-    look({turn, 0, 0});
+  const double round = 2 * std::numbers::pi * probe_.mass.radius;
+  const double turns = std::clamp(std::ceil(round / (2 * cell)), 1.0, most_turns);
+  for (double k = 0; k < turns && !before_.passed(); ++k) look({k * round / turns, 0, 0});
+  if (!best) return best;
   for (const double step : {cell, cell / 2})
     for (int k = 0; k < 3; ++k) {
       const Vec3 middle = at;
