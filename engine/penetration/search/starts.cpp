@@ -154,8 +154,7 @@ std::optional<Vec6> Starts::fitted(Random& random, double farthest, std::size_t 
       if (chart_.v(y).norm() < tuned_.largest_start_v && y.norm() < farthest) return y;
       return std::nullopt;
     };
-    if (const auto y =
-            sketch_descents_.empty() ? placed(Vec3::Zero()) : least_overlap(placed, lane))
+    if (auto y = sketch_descents_.empty() ? placed(Vec3::Zero()) : least_overlap(placed, lane))
       return y;
   }
   return std::nullopt;
