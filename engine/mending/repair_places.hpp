@@ -31,8 +31,8 @@ struct RepairPlace {
 /// The places of repair of a mesh.
 struct RepairPlaces {
   static constexpr std::size_t most = 1000;
-  std::vector<RepairPlace>
-      places;           ///< after sort_and_cap(): by kind, large ones first, at most `most`
+  /// After sort_and_cap(): by kind, large ones first, at most `most`.
+  std::vector<RepairPlace> places;
   std::size_t all = 0;  ///< total number, including those left out
 };
 

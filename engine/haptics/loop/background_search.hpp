@@ -21,8 +21,8 @@ struct FoundSeparation {
 /// newest requested pose, only while requests arrive.
 struct BackgroundResult {
   Pose device;  ///< the pose that was searched
-  std::optional<FoundSeparation>
-      nearest;  ///< the nearest pose of both searches: an upper bound of PD_g
+  /// The nearest pose of both searches: an upper bound of PD_g.
+  std::optional<FoundSeparation> nearest;
   std::optional<FoundSeparation> pdt;        ///< translation only; none if the search failed
   std::optional<double> lower_bound;         ///< of √PD_g, m
   std::optional<BoundWitness> witness = {};  ///< of that bound

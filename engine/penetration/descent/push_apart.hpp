@@ -24,8 +24,9 @@ class PushApart {
   /// From now on, adds the time spent in each phase to `times`. Null: records no times.
   void time_into(PhaseTimes* times) noexcept { times_ = times; }
   /// A free pose (by overlap with doubt as contact) near y, in the chart of the device pose, with
-  /// |y| < `farthest`, m, if that of the given one is. The triangles mostly push the probe out of that ball at first. Then it is
-  /// moved straight back into it, and the remaining pairs push it sideways, along the body.
+  /// |y| < `farthest`, m, if that of the given one is. The triangles mostly push the probe out of
+  /// that ball at first. Then it is moved straight back into it, and the remaining pairs push it
+  /// sideways, along the body.
   std::optional<Vec6> from(const Chart& chart, const Vec6& y, double farthest,
                            const Deadline& deadline = {});
 
