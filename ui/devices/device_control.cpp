@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/devices/device_control.hpp"
 
+#include <QSignalBlocker>
 #include <algorithm>
 #include <utility>
 
@@ -32,6 +33,7 @@ DeviceControl::DeviceControl(std::filesystem::path settings_folder,
 }
 
 DeviceControl::~DeviceControl() {
+  const QSignalBlocker nobody_to_tell(this);  // a window that closes asks nothing
   if (keep_timer_.isActive()) keep_settings();
 }
 

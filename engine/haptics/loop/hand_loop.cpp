@@ -15,6 +15,19 @@
 namespace sonde {
 namespace {
 
+/// N/m: the error of the force per unit of the probe's lag in y. The error of the torque counts as
+/// the force that moves the largest radius of gyration: that is its size in the object norm.
+double stiffness_of_lag(const Coupling& c, const MassProperties& mass) noexcept {
+  if (in_object_norm(c.mode)) return c.k;
+  // A lag is a turn of at most its size over the least radius of gyration about which one turns.
+  double least = mass.inertia.maxCoeff();
+  if (!(least > 0)) return c.k_t;  // a point: it does not turn
+  const double largest = least;
+  for (const double inertia : mass.inertia)
+    if (inertia > 0) least = std::min(least, inertia);
+  return std::max(c.k_t, c.k_r / std::sqrt(least * largest));
+}
+
 constexpr double slow_enough = 0.03;  // m/s, a third of the speed at which a handle may be moved
 
 }  // namespace
@@ -76,9 +89,7 @@ Withheld HandLoop::fault(const HandSample& sample, const LocalContacts& contacts
 
 bool HandLoop::is_unsettled() const noexcept {
   if (out_.separation.converged || !(force_error_ > 0)) return false;
-  const Coupling& c = coupler_.coupling();
-  const double stiffness = in_object_norm(c.mode) ? c.k : c.k_t;
-  return stiffness * lag_ > force_error_;
+  return stiffness_of_lag(coupler_.coupling(), mass_) * lag_ > force_error_;
 }
 
 Withheld HandLoop::overdue(const LocalContacts& contacts, const Clock& clock) const noexcept {

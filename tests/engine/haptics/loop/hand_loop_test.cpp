@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <tuple>
 
 #include "engine/haptics/hand/simulated_hand.hpp"
 #include "engine/haptics/loop/haptic_loop.hpp"
@@ -62,7 +63,7 @@ struct LaggingBench {
   HandLoop loop;
   std::uint64_t i = 0;
 
-  LaggingBench() : loop(make()) {
+  explicit LaggingBench(const Coupling& c = {}) : coupling(c), loop(make()) {
     feed.reset(at_depth(-0.001), {});
     loop.restart(at_depth(-0.001));
   }
@@ -102,6 +103,23 @@ TEST(HandLoop, a_probe_that_lags_gives_its_force_up_beyond_what_it_may_be_off_by
   }
   EXPECT_EQ(before, 0);
   EXPECT_NEAR(bench.tick(true, 0).wrench.force.norm(), 1, 0.01) << "no ramp was asked for";
+}
+
+// Radii of gyration of the box, by hand: sqrt((3² + 5²)/12) = 1.683 cm, 1.555 and, of the least,
+// sqrt((2² + 3²)/12) = 1.041. A lag of 0.4 mm may be a turn by 0.4/10.41 rad, whose torque
+// over 1.683 cm is 2.28 N at 1 N·m/rad, and 0.2 N at 0.0876.
+TEST(HandLoop, in_the_classic_mode_a_lag_counts_as_a_way_and_as_a_turn) {
+  Coupling classic;
+  classic.mode = Coupling::Mode::classic;
+  classic.k_t = 500;
+  for (const auto& [k_t, k_r, error] :
+       {std::tuple{500.0, 0.0, 0.2}, std::tuple{500.0, 1.0, 2.28}, std::tuple{100.0, 0.0876, 0.2},
+        std::tuple{1000.0, 0.0876, 0.4}}) {
+    classic.k_t = k_t, classic.k_r = k_r;
+    LaggingBench bench(classic);
+    const HandTick now = bench.tick(false, bench.trusted() + 0.4e-3);
+    EXPECT_EQ(now.hand.withheld, error > 0.3 ? Withheld::unsettled : Withheld::nothing) << k_t;
+  }
 }
 
 TEST(HandLoop, rows_that_are_trusted_up_to_their_optimum_give_its_force) {
