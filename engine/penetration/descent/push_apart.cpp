@@ -122,7 +122,7 @@ std::optional<Vec6> PushApart::from(const Chart& chart, const Vec6& start, doubl
     Vec6 step = compromise();
     step *= std::min(1.0, descent_tuning.largest_turn / std::max(chart.v(step).norm(), 1e-30));
     y += step;
-    if (!(chart.v(y).norm() < push_apart_tuning.largest_start_v)) return std::nullopt;
+    if (!(chart.v(y).norm() < descent_tuning.largest_start_v)) return std::nullopt;
     if (y.norm() < farthest) continue;
     if (!(y.norm() > 0) || ++returns > push_apart_tuning.most_returns) return std::nullopt;
     y *= push_apart_tuning.returns_to * farthest / y.norm();

@@ -25,9 +25,6 @@ struct PushApartTuning {
   int most_returns = 5;
   double returns_to = 0.9;  ///< share of the ball's radius
   double margin = 2e-4;     ///< distance to which triangles are separated
-  /// |v| of the pose: beyond it the chart, which ends at 1, is too far from linear, and the start
-  /// is given up.
-  double largest_start_v = 0.9;
   /// Cosine between the outward normal of a solid's face and a separating direction: a direction
   /// that points inwards by no more than this is still allowed, because a direction in the plane of
   /// a face leads neither in nor out.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/penetration/descent/descent_tuning.hpp"
+
 namespace sonde {
 
 SearchWorker::SearchWorker(const Body& probe, const Body& fixed, const SearchTuning& tuning)
@@ -72,7 +74,7 @@ std::optional<Vec6> SearchWorker::free_sample(const Chart& chart, Random& random
   for (int i = 0; i < tries && !before.passed(); ++i) {
     Vec6 y = center + sample(random, radius, method);
     if (method == Method::pdt) y.head<3>().setZero();
-    if (chart.v(y).norm() < tuned_.largest_start_v &&
+    if (chart.v(y).norm() < descent_tuning.largest_start_v &&
         (!sketches || sketches->is_free(chart, y, deepest)) && leaps(method).is_free(chart, y))
       return y;
   }

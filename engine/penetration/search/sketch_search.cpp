@@ -7,12 +7,16 @@
 #include <optional>
 
 #include "engine/geometry/random.hpp"
+#include "engine/penetration/descent/descent_tuning.hpp"
 
 namespace sonde {
 namespace {
 
-/// Starts per round; results are shared between rounds.
+/// Starts per round; results are shared between rounds. The first round begins near the device
+/// pose; of later ones so many begin there, and so many as far away as the best depth, which alone
+/// count as independent. The others begin about the best ends.
 constexpr std::size_t sketches_a_round = 8;
+constexpr int near_of_a_round = 1, far_of_a_round = 5;
 
 }  // namespace
 
@@ -30,12 +34,10 @@ void SketchSearch::make_starts(int fewest, int most, int agreeing) {
 }
 
 bool SketchSearch::is_clear(int agreeing) const {
-  int found = 0, beside = 0;
-  for (const SketchEnd& end : ends_) {
+  int found = 0;
+  for (const SketchEnd& end : ends_)
     if (end.depth < (1 + tuned_.same) * ends_.front().depth) found += end.starts;
-    beside += end.depth < tuned_.alone * ends_.front().depth;
-  }
-  return found >= (beside == 1 ? std::min(agreeing, tuned_.clear_alone) : agreeing);
+  return found >= agreeing;
 }
 
 double SketchSearch::best() const {
@@ -59,24 +61,28 @@ void SketchSearch::round() {
 std::optional<SketchEnd> SketchSearch::start(int number, SketchDescent& descent) const {
   Random random = stream(static_cast<std::uint64_t>(number));
   const double smallest = tuned_.smallest_ball_of_sketches * chart_.mass().radius;
+  const auto not_independent = [](std::optional<SketchEnd> end) {
+    if (end) end->starts = 0;
+    return end;
+  };
   if (ends_.empty())
-    return start_about(Vec6::Zero(), smallest, tuned_.first_balls, random, descent);
-  const int kind = number < tuned_.near_sketches ? 0 : number % int{sketches_a_round};
-  if (kind < 3)
-    return start_about(Vec6::Zero(), nearest_free_ / 2, tuned_.near_balls, random, descent);
-  if (kind < 5)
+    return not_independent(
+        start_about(Vec6::Zero(), smallest, tuned_.first_balls, random, descent));
+  const int kind = number % int{sketches_a_round};
+  if (kind < near_of_a_round)
+    return not_independent(
+        start_about(Vec6::Zero(), nearest_free_ / 2, tuned_.near_balls, random, descent));
+  if (kind < near_of_a_round + far_of_a_round)
     return start_about(
         Vec6::Zero(),
         std::max(smallest, best() * random.uniform(tuned_.least_far_ball, tuned_.largest_far_ball)),
         tuned_.other_balls, random, descent);
   const auto which =
       static_cast<std::size_t>(number) % std::min(tuned_.ends_for_sketches, ends_.size());
-  auto end = start_about(
+  return not_independent(start_about(
       ends_[which].y,
       std::max(smallest, best() * random.uniform(tuned_.same_place, tuned_.largest_end_ball)),
-      tuned_.other_balls, random, descent);
-  if (end) end->starts = 0;  // not independent: it started near a known end
-  return end;
+      tuned_.other_balls, random, descent));
 }
 
 std::optional<SketchEnd> SketchSearch::start_about(const Vec6& center, double ball,
@@ -87,7 +93,8 @@ std::optional<SketchEnd> SketchSearch::start_about(const Vec6& center, double ba
   for (; ball < tuned_.largest_ball * chart_.mass().radius; ball *= balls.growth)
     for (int tries = 0; tries < balls.tries && (must || !goal_.deadline.passed()); ++tries) {
       const Vec6 y = center + sample(random, ball);
-      if (chart_.v(y).norm() > tuned_.largest_start_v || !descent.is_free(chart_, y)) continue;
+      if (chart_.v(y).norm() > descent_tuning.largest_start_v || !descent.is_free(chart_, y))
+        continue;
       return descend(y, descent);
     }
   return std::nullopt;

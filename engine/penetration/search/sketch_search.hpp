@@ -50,8 +50,7 @@ class SketchSearch {
   void make_starts(int fewest, int most, int agreeing);
 
   std::vector<SketchEnd>& ends() { return ends_; }  ///< sorted by depth, each optimum once
-  /// `agreeing` starts have independently ended at the least depth, to 2 %; fewer suffice if no
-  /// other end is near it.
+  /// `agreeing` starts about as far away as the best depth have ended at the least depth, to 2 %.
   bool is_clear(int agreeing) const;
   int made() const { return made_; }  ///< number of starts
 

@@ -8,6 +8,7 @@
 
 #include "engine/body/body.hpp"
 #include "engine/geometry/rotation.hpp"
+#include "engine/penetration/descent/descent_tuning.hpp"
 #include "engine/proximity/sketch/sketch.hpp"
 
 namespace sonde {
@@ -88,7 +89,7 @@ LocalOptimum Starts::descend_beyond_sketch_end(const SketchEnd& end, const Aim& 
 std::optional<Vec6> Starts::first_free_beyond(const Vec6& end, Method method,
                                               std::size_t lane) const {
   for (const double part : tuned_.beyond)
-    if (const Vec6 y = part * end; chart_.v(y).norm() < tuned_.largest_start_v &&
+    if (const Vec6 y = part * end; chart_.v(y).norm() < descent_tuning.largest_start_v &&
                                    lanes_[lane].leaps(method).is_free(chart_, y))
       return y;
   return std::nullopt;
@@ -151,7 +152,7 @@ std::optional<Vec6> Starts::fitted(Random& random, double farthest, std::size_t 
       const Quat q = (rotation_about(axis, spin + by[0] / probe.radius) * upright).normalized();
       const Vec6 y =
           chart_.coordinates({q, centre + by[1] * aside + by[2] * beside - q * probe.com});
-      if (chart_.v(y).norm() < tuned_.largest_start_v && y.norm() < farthest) return y;
+      if (chart_.v(y).norm() < descent_tuning.largest_start_v && y.norm() < farthest) return y;
       return std::nullopt;
     };
     if (auto y = sketch_descents_.empty() ? placed(Vec3::Zero()) : least_overlap(placed, lane))

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <string>
 
@@ -156,6 +157,36 @@ void compare_on_half_space(std::uint64_t seed, int poses) {
 
 TEST(ExactCases, any_mesh_on_a_half_space) { compare_on_half_space(4, 1); }
 TEST(ExactCases, Full_any_mesh_on_a_half_space_at_many_poses) { compare_on_half_space(40, 25); }
+
+// Where two ways compete: a box that is sunk by its radius is nearly free if it is tipped a little,
+// and lies lower if it is turned by 75 to 90 degrees. Reference as above. Measured with other
+// boxes, on which the number of agreeing starts was chosen: 1.5 % of 400 searches over 1 % too
+// deep.
+TEST(ExactCases, a_box_that_is_sunk_by_its_radius_lies_down_on_a_side) {
+  std::mt19937_64 random(8);
+  const auto fixed = half_space();
+  int trusted = 0, missed = 0;
+  for (const Vec3& size : {Vec3(0.02, 0.1, 0.16), Vec3(0.03, 0.04, 0.3), Vec3(0.06, 0.09, 0.11)}) {
+    const auto probe = test::body(test::box(size));
+    const Pair bodies(probe, fixed);
+    StaticOptions options;
+    options.want_lower_bound = false;
+    for (int i = 0; i < 30; ++i) {
+      std::uniform_real_distribution<double> sinks(0.95, 1.05);
+      const Quat turned = test::random_rotation(random);
+      const Pose X = sunk(*probe, turned, sinks(random) * probe->mass.radius);
+      const double once = test::half_space_depth(*probe, X, 0, 1);
+      const double again = test::half_space_depth(*probe, X, 0, 2);
+      if (std::abs(once - again) > 1e-6 * once) continue;
+      ++trusted;
+      const double e=separate_static(bodies, X, options).depth/std::min(once, again)-1; if(e>.01) std::printf("%f %f %f: %f\n",size.x(),size.y(),size.z(),e);
+      missed += e > 0.01;
+    }
+  }
+  std::printf("  %d of %d over 1 %% too deep\n", missed, trusted);
+  EXPECT_GE(trusted, 75);
+  EXPECT_LE(missed, trusted * 3 / 100);
+}
 
 // The reference itself, where it is analytic: a ball of so many corners, and a contact of one
 // corner.
