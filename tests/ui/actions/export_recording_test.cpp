@@ -7,7 +7,7 @@
 #include <QProcess>
 #include <QStandardPaths>
 
-#include "tests/ui/export/export_fixture.hpp"
+#include "tests/ui/actions/export_fixture.hpp"
 #include "ui/actions/history_control.hpp"
 #include "ui/base/progress_dialog.hpp"
 #include "ui/export/image_file.hpp"
