@@ -111,5 +111,22 @@ TEST_F(SideBarTest, a_click_leaves_the_keyboard_where_it_is) {
   EXPECT_EQ(QApplication::focusWidget(), window.centralWidget());
 }
 
+class SideBarInWindow : public WindowTest {};
+
+TEST_F(SideBarInWindow, the_names_on_the_tabs_can_be_read_on_a_small_screen) {
+  open_cubes();
+  window->resize(1152, 720);
+  settle();
+  int tabs = 0;
+  for (const QToolButton* tab : window->findChildren<QToolButton*>()) {
+    if (!tab->objectName().startsWith("tab_")) continue;
+    EXPECT_TRUE(tab->isVisible()) << tab->text().toStdString();
+    EXPECT_GE(tab->height(), tab->fontMetrics().horizontalAdvance(tab->text()) + 8)
+        << tab->text().toStdString();
+    ++tabs;
+  }
+  EXPECT_GE(tabs, 12);
+}
+
 }  // namespace
 }  // namespace sonde::ui::test

@@ -65,6 +65,9 @@ TEST_F(StatusLineTest, a_pause_has_no_rate_and_what_ran_without_a_clock_says_so)
   now.snapshot.tick_us = 0;
   line->show_rates(now, *open, 60, false);
   EXPECT_EQ(label("rates").text(), "run with no clock");
+  now.live = true;
+  line->show_rates(now, *open, 60, false);
+  EXPECT_TRUE(label("rates").text().startsWith("servo 1000 Hz, tick 0 µs"));
 }
 
 TEST_F(StatusLineTest, what_holds_the_probe_has_its_name) {
