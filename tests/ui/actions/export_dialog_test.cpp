@@ -28,12 +28,14 @@ TEST(SpanTest, that_ends_before_it_begins_is_its_beginning) {
 
 /// Tenths are no binary numbers: their sum may miss the end by a rounding.
 TEST(SpanTest, has_its_end_once_whatever_the_rate) {
-  for (const double rate : {0.1, 3.0, 7.0, 10.0, 25.0, 30.0, 1000.0}) {
-    const std::vector<double> times = Span{0.3, 1.3, rate}.times();
-    EXPECT_NEAR(times.back(), 1.3, 1e-12) << rate;
-    for (std::size_t i = 1; i < times.size(); ++i) EXPECT_GT(times[i] - times[i - 1], 1e-6) << rate;
-    EXPECT_LE(std::abs(double(times.size()) - (rate + 1)), 1) << rate;
-  }
+  for (const double from : {0.0, 0.1, 0.3, 0.7, 1.1, 2.9})
+    for (const double rate : {0.1, 3.0, 7.0, 10.0, 25.0, 30.0, 1000.0}) {
+      SCOPED_TRACE(std::to_string(from) + " s, " + std::to_string(rate) + " each");
+      const std::vector<double> times = Span{from, from + 1.2, rate}.times();
+      EXPECT_NEAR(times.back(), from + 1.2, 1e-12);
+      for (std::size_t i = 1; i < times.size(); ++i) EXPECT_GT(times[i] - times[i - 1], 1e-6);
+      EXPECT_LE(std::abs(double(times.size()) - (1.2 * rate + 1)), 1);
+    }
 }
 
 class ExportDialogTest : public testing::Test {
