@@ -62,7 +62,7 @@ class ViewPickTest : public ViewportAloneTest {
     look_from({0, -0.6, 0.1});
     const auto handles = view->cut_handles();
     EXPECT_TRUE(handles);
-    return handles.value_or(Handles{});
+    return handles ? *handles : Handles{Vec3::Zero(), Mat3::Identity(), 1};
   }
   Behind behind;
   std::unique_ptr<ViewPick> pick;
