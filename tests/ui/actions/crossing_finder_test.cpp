@@ -71,7 +71,7 @@ TEST_F(CrossingFinderTest, looks_once_for_a_pair_of_bodies) {
   finder->set_on(false);
   finder->set_on(true);
   EXPECT_EQ(pixels_between(with, drawn()), 0) << "they are known, and there at once";
-  for (int i = 0; i < 20; ++i) QApplication::processEvents(QEventLoop::AllEvents, 10);
+  wait(150);
   EXPECT_EQ(said.size(), 1);
 }
 
@@ -85,7 +85,21 @@ TEST_F(CrossingFinderTest, left_on_it_looks_at_the_next_bodies_too) {
   ASSERT_TRUE(says_something());
   EXPECT_EQ(said[0], "Self-intersections – probe: none, fixed body: none");
   finder->attach(nullptr);
+  wait(150);
   EXPECT_EQ(said.size(), 1);
+}
+
+TEST_F(CrossingFinderTest, what_was_known_of_other_bodies_is_forgotten) {
+  finder->attach(session.get());
+  finder->set_on(true);
+  ASSERT_TRUE(says_something());
+  finder->set_on(false);
+  said.clear();
+  auto sound = make_session(loaded());
+  finder->attach(sound.get());
+  finder->set_on(true);
+  ASSERT_TRUE(says_something());
+  EXPECT_TRUE(said[0].endsWith("fixed body: none"));
 }
 
 /// Its pair is looked at in a worker, which must not outlast it.
@@ -94,7 +108,7 @@ TEST_F(CrossingFinderTest, what_is_closed_meanwhile_says_nothing) {
   finder->attach(session.get());
   finder->attach(nullptr);
   session.reset();
-  for (int i = 0; i < 30; ++i) QApplication::processEvents(QEventLoop::AllEvents, 10);
+  wait(150);
   EXPECT_TRUE(said.isEmpty()) << said.join('\n').toStdString();
   EXPECT_EQ(given_up, 0);
 }
