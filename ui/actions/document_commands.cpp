@@ -301,6 +301,9 @@ void DocumentControl::show_bodies(const Content& wanted) {
     emit changed();
   };
   if (ready_) return show(std::move(*ready_), wanted.bodies);
+  // Of a step that was passed before it was on show: given up, it would turn the history back while
+  // that goes on.
+  if (std::exchange(showing_, false)) opener_.abandon();
   const auto given_up = [this] {
     showing_ = false;
     document_.stack().setIndex(index_on_show_);

@@ -119,7 +119,9 @@ Prompts dialogs(QWidget& window) {
   QWidget* parent = &window;
   Prompts prompts;
   prompts.report_error = [parent](const QString& reason) {
-    QMessageBox::warning(parent, QStringLiteral("Sonde"), reason);
+    QMessageBox box(QMessageBox::Warning, QStringLiteral("Sonde"), reason, QMessageBox::Ok, parent);
+    box.setTextFormat(Qt::PlainText);  // file names
+    box.exec();
   };
   add_document_questions(prompts, parent);
   prompts.ask_bodies = [parent](const MeshPair& pair,

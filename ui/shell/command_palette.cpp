@@ -9,14 +9,17 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPointer>
+#include <QRegularExpression>
 #include <QVBoxLayout>
 #include <algorithm>
 
 namespace sonde::ui {
 namespace {
 
+/// "&" marks a key, and "&&" is the sign itself.
 QString plain(const QAction& action) {
-  return QString(action.text()).remove('&').remove(QStringLiteral("…"));
+  static const QRegularExpression mark(QStringLiteral("&(.)"));
+  return QString(action.text()).replace(mark, QStringLiteral("\\1")).remove(QStringLiteral("…"));
 }
 
 /// Every action below a menu, as "File › Export › Picture   (Ctrl+E)".

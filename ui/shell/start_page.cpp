@@ -139,7 +139,7 @@ void StartPage::show_recent() {
     button->setObjectName(QStringLiteral("recent_file"));
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::StrongFocus);
-    button->setText(recent_name(files));
+    button->setText(recent_name(files).replace('&', QStringLiteral("&&")));
     button->setToolTip(files.join('\n').toHtmlEscaped());
     connect(button, &QToolButton::clicked, this, [this, files] { emit chosen(files); });
     recent_->addWidget(button);

@@ -13,6 +13,7 @@
 
 #include "engine/recording/recording_header.hpp"
 #include "tests/ui/window_fixture.hpp"
+#include "ui/actions/document_control.hpp"
 #include "ui/actions/history_control.hpp"
 
 namespace sonde::ui::test {

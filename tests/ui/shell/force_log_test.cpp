@@ -5,8 +5,6 @@
 
 #include <QStringList>
 
-#include "ui/shell/timing_text.hpp"
-
 namespace sonde::ui {
 namespace {
 
@@ -82,19 +80,6 @@ TEST_F(ForceLogTest, another_run_begins_afresh) {
   add(5, Withheld::failed);
   add(0.001, Withheld::nothing);
   EXPECT_TRUE(log.recent(0.1).isEmpty());
-}
-
-TEST(TimingText, tells_times_and_what_the_system_says) {
-  ServoTiming timing;
-  EXPECT_EQ(timing_text(timing), QStringLiteral("No tick yet."));
-  for (int i = 0; i < 10; ++i) timing.tick.add(20);
-  timing.ticks = 10;
-  timing.late = 3;
-  timing.real_time.scheduling = "not permitted";
-  const QString text = timing_text(timing);
-  EXPECT_TRUE(text.contains(QStringLiteral("tick: 20, 20, 20, 20 µs"))) << text.toStdString();
-  EXPECT_TRUE(text.contains(QStringLiteral("late: 3 of 10")));
-  EXPECT_TRUE(text.contains(QStringLiteral("not permitted")));
 }
 
 }  // namespace

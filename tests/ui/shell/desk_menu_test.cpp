@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window as a desk: themes, the keyboard's way through the docks, commands found by words.
+// Themes, and the keyboard's way through the docks.
 
 #include <gtest/gtest.h>
 
 #include <QAction>
 #include <QDockWidget>
 #include <QLabel>
-#include <QLineEdit>
-#include <QMenuBar>
-#include <QSettings>
 #include <QTest>
-#include <QTimer>
-#include <QToolButton>
 
 #include "tests/ui/window_fixture.hpp"
 #include "ui/actions/history_control.hpp"
@@ -111,43 +106,29 @@ TEST_F(DeskTest, the_keyboard_comes_to_every_dock_and_back_to_the_view) {
   EXPECT_EQ(seen.removeDuplicates(), 0);
 }
 
-TEST_F(DeskTest, the_names_on_the_tabs_can_be_read_on_a_small_screen) {
-  open_cubes();
-  window->resize(1152, 720);
-  settle();
-  int tabs = 0;
-  for (const QToolButton* tab : window->findChildren<QToolButton*>()) {
-    if (!tab->objectName().startsWith("tab_")) continue;
-    EXPECT_TRUE(tab->isVisible()) << tab->text().toStdString();
-    EXPECT_GE(tab->height(), tab->fontMetrics().horizontalAdvance(tab->text()) + 8)
-        << tab->text().toStdString();
-    ++tabs;
+TEST_F(DeskTest, the_theme_that_is_chosen_is_checked_alone) {
+  for (const char* chosen : {"theme_light", "theme_system", "theme_dark"}) {
+    act(chosen);
+    for (const char* theme : {"theme_light", "theme_system", "theme_dark"})
+      EXPECT_EQ(find<QAction>(theme)->isChecked(), std::string(theme) == chosen)
+          << theme << " after " << chosen;
   }
-  EXPECT_GE(tabs, 12);
 }
 
-TEST_F(DeskTest, a_command_is_found_by_its_words) {
-  ASSERT_FALSE(window->viewport().shown(Layer::trail));
-  QTimer::singleShot(0, window.get(), [] {
-    QWidget* palette = QApplication::activeModalWidget();
-    ASSERT_TRUE(palette);
-    auto* words = palette->findChild<QLineEdit*>("command_words");
-    QTest::keyClicks(words, "trail vi");
-    QTest::keyClick(words, Qt::Key_Return);
-  });
-  QTest::keyClick(window.get(), Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_TRUE(wait_until([this] { return window->viewport().shown(Layer::trail); }));
-}
-
-TEST_F(DeskTest, every_command_of_a_menu_has_a_name_for_the_keyboard) {
-  // Alt and a letter opens each menu; no two of the bar share one.
-  QStringList letters;
-  for (const QAction* menu : window->menuBar()->actions()) {
-    const int at = menu->text().indexOf('&');
-    ASSERT_GE(at, 0) << menu->text().toStdString();
-    letters << menu->text().mid(at + 1, 1).toLower();
-  }
-  EXPECT_EQ(letters.removeDuplicates(), 0);
+TEST_F(DeskTest, a_key_folds_the_docks_at_the_sides_away_and_back) {
+  const auto open_docks = [this] {
+    int count = 0;
+    for (const QDockWidget* dock : window->docks_of_sides())
+      count += dock->isVisible() && !dock->isFloating() &&
+               window->dockWidgetArea(const_cast<QDockWidget*>(dock)) != Qt::BottomDockWidgetArea;
+    return count;
+  };
+  const int before = open_docks();
+  ASSERT_GT(before, 0);
+  QTest::keyClick(window.get(), Qt::Key_F9);
+  EXPECT_EQ(open_docks(), 0);
+  QTest::keyClick(window.get(), Qt::Key_F9);
+  EXPECT_EQ(open_docks(), before);
 }
 
 }  // namespace

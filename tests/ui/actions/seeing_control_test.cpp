@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Seeing inside: by the keys, the mouse and the docks of the window.
+#include "ui/actions/seeing_control.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,6 @@
 #include "engine/proximity/queries/point_distance.hpp"
 #include "tests/ui/actions/seeing_fixture.hpp"
 #include "ui/actions/document_control.hpp"
-#include "ui/actions/seeing_control.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/document/saved_views.hpp"
 #include "ui/views/body_look.hpp"

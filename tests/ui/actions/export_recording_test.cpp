@@ -7,7 +7,7 @@
 #include <QProcess>
 #include <QStandardPaths>
 
-#include "tests/ui/export/export_fixture.hpp"
+#include "tests/ui/actions/export_fixture.hpp"
 #include "ui/actions/history_control.hpp"
 #include "ui/base/progress_dialog.hpp"
 #include "ui/export/image_file.hpp"
@@ -183,12 +183,6 @@ TEST_F(ExportRecordingTest, what_cannot_be_written_is_named) {
     EXPECT_TRUE(complaints[0].contains("no/such/folder")) << complaints[0].toStdString();
   }
   EXPECT_EQ(parts_left(), 0);
-}
-
-TEST(SpanTest, has_both_ends_and_rises) {
-  EXPECT_EQ((Span{1, 2, 4}.times()), (std::vector<double>{1, 1.25, 1.5, 1.75, 2}));
-  EXPECT_EQ((Span{0, 0.6, 2}.times()), (std::vector<double>{0, 0.5, 0.6}));
-  EXPECT_EQ((Span{3, 3, 25}.times()), (std::vector<double>{3}));
 }
 
 }  // namespace

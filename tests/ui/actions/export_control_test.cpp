@@ -9,7 +9,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include "tests/ui/export/export_fixture.hpp"
+#include "tests/ui/actions/export_fixture.hpp"
 #include "ui/base/progress_dialog.hpp"
 #include "ui/base/theme.hpp"
 
