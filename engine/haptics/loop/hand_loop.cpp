@@ -19,7 +19,8 @@ namespace {
 /// the force that moves the largest radius of gyration: that is its size in the object norm.
 double stiffness_of_lag(const Coupling& c, const MassProperties& mass) noexcept {
   if (in_object_norm(c.mode)) return c.k;
-  // A lag is a turn of at most its size over the least radius of gyration about which one turns.
+  // Near the device pose a lag is a turn of at most its size over the least radius of gyration
+  // about which one turns.
   double least = mass.inertia.maxCoeff();
   if (!(least > 0)) return c.k_t;  // a point: it does not turn
   const double largest = least;

@@ -165,7 +165,8 @@ Descent::Outcome LeapDescent::run(const Chart& chart, const Vec6& start, const L
     if (!looked && out.iterations == 0) return out;
     if (!looked) rows.move_rows_with_probe(chart, out.y);
     const LeastDistance nearest = rows.solve(margin, ContactRows::SmallGaps::keep);
-    const double off = (nearest.y - out.y).norm();
+    // What the rim of the chart holds has not converged.
+    const double off = (rows.held_by_contacts(nearest) - out.y).norm();
     out.contacts = rows.holding(nearest);
     out.residual = length > 0 ? off / length : 0;
     if (!looked) return out;

@@ -35,15 +35,17 @@ struct SearchTuning {
   /// At first, starts are made until they agree or `most_first_sketches` are made; then their
   /// number is doubled as long as it is unclear which end is the best. On the 224 poses of
   /// depths.csv that have sketches and three seeds, 16 starts come to within a tenth of the depth
-  /// of the reference pose on 442 of 672, 64 on 546, 256 on 588 and 512 on 597.
+  /// of the reference pose on 442 of 672, 64 on 546, 256 on 588 and 512 on 597 (when three of eight
+  /// began near the device pose and two far away). `clear` needs 24 of them at least.
   int first_sketches = 16;  ///< half as many for the first translation, which is only a start
   int most_first_sketches = 64;
   int most_sketches = 256;
   /// Number of starts on sketches about as far away as the best depth that must independently reach
-  /// the best end. That starts near the device pose agree shows only that a wide way leads out there.
-  /// (When 8 of any starts sufficed, and 4 if no other end was within 1.08 times the best depth, 8 %
-  /// of 400 searches of a brick and a bar that are sunk by their radius into a block were over 1 %
-  /// too deep, and 3.5 % over 5 %; now 2.3 and 0.3 %, at the same median on depths.csv.)
+  /// the best end. That starts near the device pose agree shows only that a wide way leads out
+  /// there. (When 8 of any starts sufficed, and 4 if no other end was within 1.08 times the best
+  /// depth, 8 % of 400 searches of a brick and a bar that are sunk by their radius into a block
+  /// were over 1 % too deep, and 3.5 % over 5 %; now 2.3 and 0.3 %. The median of depths.csv is 21
+  /// to 24 ms instead of 19 to 20.)
   int clear = 8;
   /// Share of the best depth: what is no further apart counts as one place. Ends on sketches are
   /// one local optimum, no start is made nearer to the best optimum or to the device pose, and no

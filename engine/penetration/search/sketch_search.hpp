@@ -19,7 +19,7 @@ namespace sonde {
 struct SketchEnd {
   Vec6 y;
   double depth = 0;  ///< |y|, m
-  int starts = 1;    ///< number of starts that ended there
+  int starts = 1;    ///< number of far starts that ended there
   double from = 0;   ///< |y| where the first of them began, m
   /// The depth that a descent of the bodies from here reached, m; the caller sets it. Negative:
   /// there was none.

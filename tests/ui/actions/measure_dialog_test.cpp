@@ -25,7 +25,8 @@ class MeasureDialogTest : public testing::Test {
     need_application();
     dialog = std::make_unique<MeasureDialog>(nullptr);
     subject.device = "An <b>arm</b>";
-    subject.profile = find_device_profile("sigma.7", device_profile_folders());
+    const std::vector bundled{device_profile_folders()[1]};  // no folder of the user's
+    subject.profile = find_device_profile("sigma.7", bundled);
     QObject::connect(dialog.get(), &MeasureDialog::start_asked, [this] { asked += "start "; });
     QObject::connect(dialog.get(), &MeasureDialog::cancel_asked, [this] { asked += "cancel "; });
     QObject::connect(dialog.get(), &MeasureDialog::save_asked, [this] { asked += "save "; });

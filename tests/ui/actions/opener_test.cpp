@@ -187,7 +187,7 @@ TEST_F(OpenerTest, what_is_abandoned_ends_in_nothing) {
       "Turning", [scene](const Progress& p) { return open_scene(scene, p); },
       [&](DrawnSession) { ADD_FAILURE() << "it was abandoned"; }, [&] { ++given_up; });
   opener->abandon();
-  for (int i = 0; i < 30; ++i) QApplication::processEvents(QEventLoop::AllEvents, 10);
+  wait(500);  // several times what the bodies take to be read
   EXPECT_EQ(given_up, 0);
   EXPECT_TRUE(failed.isEmpty());
   EXPECT_TRUE(ready.empty());

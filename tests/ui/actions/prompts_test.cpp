@@ -7,9 +7,11 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSettings>
 #include <QTest>
 #include <QTimer>
 
+#include "tests/support/temp_folder.hpp"
 #include "tests/ui/window_fixture.hpp"
 
 namespace sonde::ui::test {
@@ -19,6 +21,10 @@ class PromptsTest : public testing::Test {
  protected:
   void SetUp() override {
     need_application();
+    // What Qt's own dialog of files remembers too.
+    qputenv("XDG_CONFIG_HOME", QByteArray::fromStdString(home.path().string()));
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
+                       QString::fromStdString(home.path().string()));
     window = std::make_unique<QWidget>();
     window->show();
     prompts = dialogs(*window);
@@ -53,6 +59,7 @@ class PromptsTest : public testing::Test {
       if (waits) static_cast<QDialog&>(asked).reject();
     });
   }
+  sonde::test::TempFolder home;
   std::unique_ptr<QWidget> window;
   Prompts prompts;
   QString text;  ///< of the last question
