@@ -17,8 +17,8 @@ namespace {
 /// tab for each.
 class SideBarTest : public testing::Test {
  protected:
+  static void SetUpTestSuite() { need_application(); }  // before the window is made
   void SetUp() override {
-    need_application();
     window.setCentralWidget(new QWidget);
     bar = new SideBar(Qt::LeftToolBarArea, "Sides", "sides_bar", &window);
     window.addToolBar(Qt::LeftToolBarArea, bar);
