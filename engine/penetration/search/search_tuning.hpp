@@ -44,7 +44,7 @@ struct SearchTuning {
   /// the best end. That starts near the device pose agree shows only that a wide way leads out
   /// there. (When 8 of any starts sufficed, and 4 if no other end was within 1.08 times the best
   /// depth, 8 % of 400 searches of a brick and a bar that are sunk by their radius into a block
-  /// were over 1 % too deep, and 3.5 % over 5 %; now 2.3 and 0.3 %. The median of depths.csv is 21
+  /// were over 1 % too deep, and 3.5 % over 5 %; now 2.0 and 0.3 %. The median of depths.csv is 21
   /// to 24 ms instead of 19 to 20.)
   int clear = 8;
   /// Share of the best depth: what is no further apart counts as one place. Ends on sketches are
@@ -108,9 +108,9 @@ struct SearchTuning {
   /// separating motion is much shorter than the depth of that point. (With 1.5, with 2.5, and with
   /// pushes on every pose, 241 of the 244 poses are within 1 %; the median is 15.3, 13.9 and 18.3
   /// ms, measured beside other work.) If the best depth is larger, the random starts of PD_g are
-  /// overlaps too. (With 1e9 none are: of the 160 poses of deep_tuning.csv, 150 are then within
-  /// 1 % instead of 156.) If the factor is larger, a separating motion through
-  /// a narrow gap may be missed.
+  /// overlaps too. (With 1e9 none are: of the 160 poses of deep_tuning.csv, 147 are then within
+  /// 1 % instead of 155.) If the factor is larger, a separating motion through a narrow gap may be
+  /// missed.
   double narrow = 2.5;
   double farthest_push = 0.8;  ///< times the best depth, or R if that is less
   /// Factor on the best depth: limit of |y| while an overlap is pushed apart. Beyond it, it is
@@ -122,8 +122,8 @@ struct SearchTuning {
   /// 160 of them leave the same poses of three seeds over 1 % too deep; with the bodies moved, 32
   /// lose two poses more than 64, one by 22 %. Without sketches, StaticOptions::starts is the
   /// limit. If overlaps are pushed apart instead (see `narrow`): with 32, 64, 128 and 256 of them
-  /// 283, 301, 309 and 313 of 320 searches on deep_tuning.csv are within 1 %, in medians of 53, 72,
-  /// 102 and 171 ms.
+  /// 287, 306, 310 and 314 of 320 searches on deep_tuning.csv are within 1 %, in medians of 61, 77,
+  /// 103 and 175 ms.
   int most_after_sketches = 128;
   /// Grid cells: a random pose at which the sketches overlap more deeply is rejected without a test
   /// of the bodies. If it is lower, free poses are rejected where the sketches are wrong.

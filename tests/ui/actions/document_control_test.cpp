@@ -6,17 +6,15 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QDropEvent>
 #include <QMenu>
-#include <QMimeData>
 #include <QTest>
 #include <QToolButton>
-#include <QUrl>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
 
 #include "tests/ui/document/document_fixture.hpp"
+#include "tests/ui/drop_files.hpp"
 #include "ui/document/recent_files.hpp"
 #include "ui/shell/start_page.hpp"
 
@@ -126,16 +124,7 @@ TEST_F(DocumentControlTest, new_leads_to_the_start_page_and_that_to_a_scene) {
 
 class DropOnDocument : public DocumentTest {
  protected:
-  void drop(const QStringList& files) {
-    QMimeData data;
-    QList<QUrl> urls;
-    for (const QString& file : files) urls.push_back(QUrl::fromLocalFile(file));
-    data.setUrls(urls);
-    QDragEnterEvent enter({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(window.get(), &enter);
-    QDropEvent drop({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(window.get(), &drop);
-  }
+  void drop(const QStringList& files) { drop_files(*window, files); }
 };
 
 TEST_F(DropOnDocument, one_mesh_takes_the_place_of_a_body) {

@@ -18,6 +18,7 @@
 
 #include "engine/proximity/queries/point_distance.hpp"
 #include "tests/ui/actions/seeing_fixture.hpp"
+#include "tests/ui/actions/session_fixture.hpp"
 #include "ui/actions/document_control.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/document/saved_views.hpp"
@@ -27,45 +28,33 @@
 namespace sonde::ui::test {
 namespace {
 
-/// Pixels of that hue, whatever light falls on them.
-int pixels_like(const QImage& image, const QColor& colour) {
-  int count = 0;
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) {
-      const QColor pixel = image.pixelColor(x, y);
-      const int hue = std::abs(pixel.hsvHue() - colour.hsvHue());
-      count += std::min(hue, 360 - hue) < 12 && pixel.hsvSaturation() > 90 && pixel.value() > 60;
-    }
-  return count;
-}
-
 TEST_F(SeeingTest, the_probe_is_seen_through_the_fixed_body) {
   hide_overlays();
   act("from_left");  // the fixed body covers the probe
-  const int before = pixels_like(picture(), colour::probe);
+  const int before = pixels_of_hue(picture(), colour::probe);
   key(Qt::Key_X);
   EXPECT_TRUE(find<QAction>("xray_fixed")->isChecked());
-  EXPECT_GT(pixels_like(picture(), colour::probe), before + 5000);
+  EXPECT_GT(pixels_of_hue(picture(), colour::probe), before + 5000);
   key(Qt::Key_X);
-  EXPECT_NEAR(pixels_like(picture(), colour::probe), before, 50);
+  EXPECT_NEAR(pixels_of_hue(picture(), colour::probe), before, 50);
 }
 
 TEST_F(SeeingTest, the_probe_can_be_seen_through_or_hidden_or_made_of_wires) {
   hide_overlays();
-  const int before = pixels_like(picture(), colour::probe);
+  const int before = pixels_of_hue(picture(), colour::probe);
   ASSERT_GT(before, 5000);
   auto* looks = window->findChild<QComboBox*>("probe_look");
   looks->setCurrentIndex(static_cast<int>(Look::hidden));
   EXPECT_TRUE(find<QAction>("hide_probe")->isChecked()) << "the menu says what the dock does";
-  EXPECT_EQ(pixels_like(picture(), colour::probe), 0);
+  EXPECT_EQ(pixels_of_hue(picture(), colour::probe), 0);
   looks->setCurrentIndex(static_cast<int>(Look::wireframe));
-  const int wires = pixels_like(picture(), colour::probe);
+  const int wires = pixels_of_hue(picture(), colour::probe);
   EXPECT_GT(wires, 50);
   EXPECT_LT(wires, before / 4);
   looks->setCurrentIndex(static_cast<int>(Look::xray));
-  EXPECT_LT(pixels_like(picture(), colour::probe), before - 1000) << "its colour is mixed";
+  EXPECT_LT(pixels_of_hue(picture(), colour::probe), before - 1000) << "its colour is mixed";
   looks->setCurrentIndex(static_cast<int>(Look::opaque));
-  EXPECT_NEAR(pixels_like(picture(), colour::probe), before, 50);
+  EXPECT_NEAR(pixels_of_hue(picture(), colour::probe), before, 50);
 }
 
 TEST_F(SeeingTest, a_contact_is_chosen_in_the_list_and_in_the_view) {
@@ -102,11 +91,11 @@ TEST_F(SeeingTest, no_arrow_and_no_body_covers_a_contact) {
     window->viewport().camera().look_at(c.contact.on_fixed, from, Vec3(0.1, 0.2, 0.9), 0.5);
     const QImage image = picture();
     EXPECT_GT(
-        pixels_like(image.copy(QRect(
-                        window->viewport().on_screen(c.contact.on_fixed).toPoint() - QPoint(4, 4),
-                        QSize(9, 9))),
-                    colour::contact) +
-            pixels_like(
+        pixels_of_hue(image.copy(QRect(
+                          window->viewport().on_screen(c.contact.on_fixed).toPoint() - QPoint(4, 4),
+                          QSize(9, 9))),
+                      colour::contact) +
+            pixels_of_hue(
                 image.copy(
                     QRect(window->viewport().on_screen(c.contact.on_fixed).toPoint() - QPoint(4, 4),
                           QSize(9, 9))),
@@ -159,11 +148,11 @@ TEST_F(SeeingTest, gaps_are_painted_with_a_legend) {
   act("from_right");
   const QImage before = picture();
   const QColor touch = gap_colour(0);
-  const int yellow = pixels_like(before, touch);
+  const int yellow = pixels_of_hue(before, touch);
   const QImage sheet = window->viewport().grab().toImage();
   key(Qt::Key_K);
-  ASSERT_TRUE(
-      wait_until([&] { return pixels_like(window->viewport().picture(), touch) > yellow + 500; }));
+  ASSERT_TRUE(wait_until(
+      [&] { return pixels_of_hue(window->viewport().picture(), touch) > yellow + 500; }));
   EXPECT_GT(pixels_between(sheet, window->viewport().grab().toImage()), 1000);
   key(Qt::Key_K);
   EXPECT_LT(pixels_between(before, picture()), 50);

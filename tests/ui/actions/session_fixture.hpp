@@ -26,7 +26,7 @@ class SessionInView : public ViewportAloneTest {
   std::unique_ptr<Session> session;
 };
 
-/// Pixels of about that hue.
+/// Pixels of about that hue, whatever light falls on them.
 inline int pixels_of_hue(const QImage& image, const QColor& colour) {
   int count = 0;
   for (int y = 0; y < image.height(); ++y)

@@ -4,17 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <QDialogButtonBox>
-#include <QDropEvent>
 #include <QLabel>
-#include <QMimeData>
 #include <QPushButton>
 #include <QTest>
 #include <QTimer>
-#include <QUrl>
 #include <QWindow>
 
 #include "engine/base/error.hpp"
 #include "tests/support/temp_folder.hpp"
+#include "tests/ui/drop_files.hpp"
 #include "tests/ui/window_fixture.hpp"
 #include "ui/base/resources.hpp"
 #include "ui/devices/device_control.hpp"
@@ -97,17 +95,7 @@ TEST_F(WindowTest, the_question_for_the_unit_stays_on_top_and_can_be_answered) {
 
 class DropTest : public WindowTest {
  protected:
-  void drop(const QStringList& files) {
-    QMimeData data;
-    QList<QUrl> urls;
-    for (const QString& file : files) urls.push_back(QUrl::fromLocalFile(file));
-    data.setUrls(urls);
-    QDragEnterEvent enter({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(window.get(), &enter);
-    EXPECT_TRUE(enter.isAccepted());
-    QDropEvent drop({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(window.get(), &drop);
-  }
+  void drop(const QStringList& files) { EXPECT_TRUE(drop_files(*window, files)); }
 };
 
 TEST_F(DropTest, takes_a_scene_or_two_meshes) {
