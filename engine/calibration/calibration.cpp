@@ -22,8 +22,12 @@ constexpr double least_within = 1e-6;
 /// necessary.
 constexpr std::size_t enough_pairs = 10;
 
-/// The errors of each pair with one time limit, by that limit.
-using ErrorsByTime = std::map<double, std::vector<std::vector<double>>>;
+/// The errors of one pair with one time limit.
+struct ErrorsOfPair {
+  std::string family;
+  std::vector<double> errors;
+};
+using ErrorsByTime = std::map<double, std::vector<ErrorsOfPair>>;  // by that limit
 
 struct KindOfAnswer {
   Answers answers;
@@ -44,24 +48,36 @@ ErrorsByTime of_kind(const Calibration& calibration, const KindOfAnswer& kind) {
     for (const CalibrationPoint& point : series.points)
       if (const auto& errors = kind.far_out ? point.far_out.value_or(point.errors) : point.errors;
           !errors.empty())
-        out[point.time_us].push_back(errors);
+        out[point.time_us].push_back({family_of(series), errors});
   }
   return out;
 }
 
+/// The least error that this share of the answers keeps, of all families alike: what is asked next
+/// is as likely of one kind as of another, however many pairs of each were measured.
+double kept_by_families(const std::vector<ErrorsOfPair>& of_pairs, double sure) {
+  std::map<std::string, std::size_t> sizes;
+  for (const ErrorsOfPair& pair : of_pairs) sizes[pair.family] += pair.errors.size();
+  struct Weighted {
+    double error, weight;
+  };
+  std::vector<Weighted> all;
+  for (const ErrorsOfPair& pair : of_pairs)
+    for (const double error : pair.errors)
+      all.push_back({error, 1 / static_cast<double>(sizes[pair.family] * sizes.size())});
+  ordering::sort(all, {}, &Weighted::error);
+  double share = 0;
+  for (const Weighted& one : all)
+    if (share += one.weight; share >= sure - 1e-9) return one.error;  // beyond the sum's rounding
+  return all.back().error;
+}
+
 /// The error that this share of the answers keeps.
-double kept_to(const std::vector<std::vector<double>>& of_pairs, double sure) {
-  if (of_pairs.size() < enough_pairs) {
-    double worst = 0;
-    for (const std::vector<double>& errors : of_pairs)
-      worst = std::max(worst, quantile(errors, sure));
-    return worst;
-  }
-  std::vector<double> all;
-  for (const std::vector<double>& errors : of_pairs)
-    all.insert(all.end(), errors.begin(), errors.end());
-  ordering::sort(all);
-  return quantile(all, sure);
+double kept_to(const std::vector<ErrorsOfPair>& of_pairs, double sure) {
+  if (of_pairs.size() >= enough_pairs) return kept_by_families(of_pairs, sure);
+  double worst = 0;
+  for (const ErrorsOfPair& pair : of_pairs) worst = std::max(worst, quantile(pair.errors, sure));
+  return worst;
 }
 
 /// Linear interpolation in logarithmic axes.
@@ -73,6 +89,10 @@ double between(double x, double x0, double y0, double x1, double y1) {
 }
 
 }  // namespace
+
+const std::string& family_of(const CalibrationSeries& series) {
+  return series.family.empty() ? series.pair : series.family;
+}
 
 Calibration of_pair(const Calibration& calibration, const std::string& pair) {
   Calibration out;

@@ -14,8 +14,8 @@ namespace sonde {
 enum class Answers { search, tick };
 
 /// The errors measured on one pair of bodies with one time limit, ascending; infinite for a failed
-/// answer. The error of a search is depth / reference − 1, that of a tick |depth − depth without a
-/// limit| over the largest depth of the path.
+/// answer. The error of a search is depth / reference − 1, that of a tick how much it is deeper
+/// than without a limit, over the largest depth of the path.
 struct CalibrationPoint {
   double time_us = 0;  ///< wall-clock time; 0: none
   std::vector<double> errors;
@@ -33,6 +33,9 @@ struct CalibrationSeries {
   std::vector<CalibrationPoint> points;  ///< by time, the one without a limit last
   std::string family = {};  ///< group of similar shapes; empty: the pair is its own group
 };
+
+/// The name of the family that the series is of.
+const std::string& family_of(const CalibrationSeries& series);
 
 /// The measurements on all pairs.
 struct Calibration {
@@ -52,7 +55,7 @@ inline constexpr double not_late = 1.1;
 inline constexpr double usually_sure = 0.9;
 
 /// The accuracy that nine in ten answers of a kind (or another share) reach, as a function of their
-/// time: of all answers together if ten pairs or more were measured, otherwise of the worst pair's.
+/// time: of all families alike if ten pairs or more were measured, otherwise of the worst pair's.
 /// Answers whose way out is long (Separation::far_out) have a curve of their own.
 class AccuracyCurve {
  public:

@@ -53,6 +53,7 @@ TEST(Depths, every_case_has_its_row) {
   for (const PairSpec* spec : known_specs()) {
     const std::vector<Row> of_pair = rows_of(spec->name);
     EXPECT_EQ(static_cast<int>(of_pair.size()), case_count(*spec)) << spec->name;
+    EXPECT_NO_THROW(family_of(spec->name)) << "a claim is held against whole families";
     for (std::size_t i = 0; i < of_pair.size(); ++i)
       EXPECT_EQ(of_pair[i].index, static_cast<int>(i)) << name(of_pair[i]);
     count += of_pair.size();

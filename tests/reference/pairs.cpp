@@ -2,6 +2,7 @@
 // The pairs of meshes: generated ones, real ones, and models of the example scenes.
 #include <map>
 #include <numbers>
+#include <stdexcept>
 
 #include "tests/reference/cases.hpp"
 #include "tests/reference/meshes.hpp"
@@ -169,8 +170,12 @@ std::string family_of(const std::string& pair) {
       {"comb-cup", "nested"},         {"hook-keyway", "fits"},
       {"comb-combs", "tangled"},      {"spline-sleeve", "fits"},
       {"key-channel", "fits"},        {"hexagon-blind", "fits"},
-      {"dovetail-slide", "fits"}};
-  return families.at(pair);
+      {"dovetail-slide", "fits"},     {"star-ring", "fits"},
+      {"u-keyway", "fits"},           {"cross-socket", "fits"},
+      {"trefoil-pulley", "tangled"}};
+  const auto found = families.find(pair);
+  if (found == families.end()) throw std::out_of_range(pair + ": a pair of no family");
+  return found->second;
 }
 
 }  // namespace sonde::reference

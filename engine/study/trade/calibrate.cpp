@@ -42,12 +42,6 @@ StaticOptions options(Method method, std::uint64_t seed, double time_us) {
 /// The excess of a depth over the least known one, which is 0 if the two bodies touch.
 double excess(double depth, double least) { return depth == least ? 0 : depth / least - 1; }
 
-/// A failed reference confirms nothing, not even an answer that fails too.
-double tick_error(double got, double wanted, double deepest) {
-  if (!std::isfinite(got) || !std::isfinite(wanted)) return infinity;
-  return got == wanted ? 0 : std::abs(got - wanted) / deepest;
-}
-
 /// Sorted, with the digits that are significant; of thousands only every n-th is kept.
 std::vector<double> kept(std::vector<double> errors) {
   for (double& error : errors)
@@ -90,6 +84,11 @@ std::vector<double> follow(const Pair& pair, Method method, std::span<const Time
 }
 
 }  // namespace
+
+double tick_error(double got, double wanted, double deepest) {
+  if (!std::isfinite(got) || !std::isfinite(wanted)) return infinity;
+  return got <= wanted ? 0 : (got - wanted) / deepest;
+}
 
 CalibrationSeries calibrate_searches(const Pair& pair, const std::string& name, Method method,
                                      std::span<const Pose> poses, std::vector<double> references,

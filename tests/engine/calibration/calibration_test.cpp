@@ -70,6 +70,21 @@ TEST(AccuracyCurve, of_few_pairs_is_that_of_the_worst_and_of_many_that_of_all) {
   EXPECT_DOUBLE_EQ(within(), 0.1) << "what 9 in 10 of 242 errors keep to: 22 are larger than 0.01";
 }
 
+TEST(AccuracyCurve, of_many_pairs_counts_each_family_alike) {
+  Calibration some{std::vector<CalibrationSeries>(10, made_up_series().series[0])};
+  for (std::size_t i = 0; i < 10; ++i) {
+    some.series[i].family = i < 9 ? "many" : "few";
+    some.series[i].points[0].errors =
+        i < 9 ? std::vector<double>(10, 0.01) : std::vector<double>{0.01, 0.01, 0.2, 0.3};
+  }
+  const auto within = [&](double sure) {
+    return AccuracyCurve(some, Answers::search, Method::pdg, true, sure).within(1000);
+  };
+  EXPECT_DOUBLE_EQ(within(0.75), 0.01) << "all of the one and half of the other";
+  EXPECT_DOUBLE_EQ(within(0.8), 0.2) << "of 94 answers 92 keep to less";
+  EXPECT_DOUBLE_EQ(within(0.9), 0.3);
+}
+
 TEST(AccuracyCurve, says_nothing_of_ticks_without_a_limit) {
   Calibration ticks = made_up_series();
   ticks.series[0].answers = Answers::tick;
@@ -170,15 +185,11 @@ TEST(Calibration, keeps_of_another_what_was_not_measured_again) {
 
 // ---- what ships ----
 
-std::string family(const CalibrationSeries& series) {
-  return series.family.empty() ? series.pair : series.family;
-}
-
 /// What is measured of all pairs but those of one family.
 Calibration without(const std::string& left_out) {
   Calibration out = default_calibration();
   std::erase_if(out.series,
-                [&](const CalibrationSeries& series) { return family(series) == left_out; });
+                [&](const CalibrationSeries& series) { return family_of(series) == left_out; });
   return out;
 }
 
@@ -206,14 +217,14 @@ TEST_P(DefaultCalibration, nine_in_ten_claims_hold_on_families_that_the_fit_did_
   for (const CalibrationSeries& series : default_calibration().series) {
     if (!is_of_kind(series)) continue;
     pairs.insert(series.pair);
-    const AccuracyCurve curve(without(family(series)), series.answers, series.method,
+    const AccuracyCurve curve(without(family_of(series)), series.answers, series.method,
                               series.has_sketches);
     for (const CalibrationPoint& point : series.points) {
       const auto count = [&](const std::vector<double>& errors, bool far_out) {
         // What the reference itself repeats to, some 1e-4, is nothing to hold a claim to.
         const double within = std::max(curve.within(point.time_us, far_out), 1e-4);
         if (!std::isfinite(within)) return;
-        for (auto* held : {&held_by_time[point.time_us], &held_by_family[family(series)]})
+        for (auto* held : {&held_by_time[point.time_us], &held_by_family[family_of(series)]})
           for (const double error : errors) ++(*held)[1], (*held)[0] += error <= within;
       };
       count(point.errors, false);

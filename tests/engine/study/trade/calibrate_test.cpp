@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/base/numbers.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde::test {
@@ -16,6 +17,15 @@ TEST(Calibrate, a_depth_of_zero_is_exact_where_the_true_depth_is) {
   ASSERT_FALSE(series.points.empty());
   for (const CalibrationPoint& point : series.points)
     EXPECT_EQ(point.errors, std::vector<double>{0}) << point.time_us;
+}
+
+TEST(Calibrate, a_tick_is_wrong_by_what_it_is_too_deep) {
+  EXPECT_DOUBLE_EQ(tick_error(3, 2, 4), 0.25);
+  EXPECT_EQ(tick_error(2, 2, 4), 0);
+  EXPECT_EQ(tick_error(1, 2, 4), 0) << "a shorter way out";
+  EXPECT_EQ(tick_error(0, 0, 0), 0);
+  EXPECT_EQ(tick_error(infinity, 2, 4), infinity);
+  EXPECT_EQ(tick_error(2, infinity, 4), infinity);
 }
 
 }  // namespace
