@@ -33,10 +33,10 @@ struct BoundTuning {
 
   // Start points (deep_points). Each cap may leave out points that would have been deeper.
   std::size_t most_points = 4;
-  int most_meetings = 3;   ///< intersecting pairs of triangles
-  int most_opened = 400;   ///< pairs of boxes opened to find them
-  int most_corners = 100;  ///< evaluations at the corners of each body
-  int most_boxes = 60;     ///< boxes of the cover of the overlap of two solids
+  int most_meetings = 3;            ///< intersecting pairs of triangles
+  int most_opened = 400;            ///< pairs of boxes opened to find them
+  double share_for_corners = 0.05;  ///< of the work: evaluations at the corners of each body
+  int most_boxes = 60;              ///< boxes of the cover of the overlap of two solids
   double large_triangle =
       0.1;  ///< half box diagonal / body radius: a larger triangle is also sampled inside
   double apart = 0.5;            ///< times the depth: points closer than this count as one

@@ -14,8 +14,11 @@ namespace {
 /// at one point of a box bounds the depths in the whole box.
 class DeepPoints {
  public:
-  DeepPoints(const CommonDepth& depth, const Deadline& deadline)
-      : depth_(depth), deadline_(deadline) {}
+  DeepPoints(const CommonDepth& depth, int work, const Deadline& deadline)
+      : depth_(depth),
+        deadline_(deadline),
+        corners_(static_cast<int>(bound_tuning.share_for_corners * work /
+                                  bound_tuning.work_of_evaluation)) {}
 
   std::vector<CommonPoint> run() {
     const Body &probe = depth_.probe(), &fixed = depth_.fixed();
@@ -105,7 +108,7 @@ class DeepPoints {
       queue.push({slot, look(X, x).depth() + 2 * tree.half_diagonal(slot)});
     };
     look_at(0);
-    const int until = depth_.evaluations() + bound_tuning.most_corners;
+    const int until = depth_.evaluations() + corners_;
     while (!queue.empty() && depth_.evaluations() < until && !deadline_.passed()) {
       const Slot s = queue.top();
       queue.pop();
@@ -164,14 +167,15 @@ class DeepPoints {
 
   const CommonDepth& depth_;
   const Deadline& deadline_;
+  int corners_;  // evaluations at those of each body
   const Mat3 still_ = Mat3::Identity();
   std::vector<CommonPoint> points_;
 };
 
 }  // namespace
 
-std::vector<CommonPoint> deep_points(const CommonDepth& depth, const Deadline& deadline) {
-  return DeepPoints(depth, deadline).run();
+std::vector<CommonPoint> deep_points(const CommonDepth& depth, int work, const Deadline& deadline) {
+  return DeepPoints(depth, work, deadline).run();
 }
 
 }  // namespace sonde

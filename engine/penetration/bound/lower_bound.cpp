@@ -242,7 +242,7 @@ class TurnSearch {
 LowerBound bound_by_points(const Body& probe, const Body& fixed, const Pose& X_FM,
                            const Deadline& deadline, const BoundOptions& options) {
   const CommonDepth depth(probe, fixed, X_FM);
-  const std::vector<CommonPoint> points = deep_points(depth, deadline);
+  const std::vector<CommonPoint> points = deep_points(depth, options.work, deadline);
   LowerBound bound;
   if (points.empty()) return bound;
   double most = 0;
