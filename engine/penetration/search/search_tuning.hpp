@@ -175,10 +175,10 @@ struct SearchTuning {
 
   // The lower bound if it must not take longer than the search
   /// Units of its work (BoundOptions) for each start on sketches and for each step of the bodies
-  /// that the search made. On the 224 poses of depths.csv with a solid, the bound then takes 17 %
-  /// of the time in the median, and its median is 0.66 of the reference instead of 0.85. With 1.5
-  /// times as many units it is 0.70, and the bound takes longer than the search on 11 of these
-  /// poses.
+  /// that the search made. On the 224 poses of depths.csv with a solid, the bound then takes 15 %
+  /// of the time in the median, and its median is 0.77 of the reference instead of 0.85. With 1.5
+  /// times as many units it is 0.80, and the bound takes longer than the search on 21 of these
+  /// poses instead of 3.
   int bound_for_a_sketch = 28;
   int bound_for_a_step = 95;
   /// µs: if less than this is left of a limited time, no bound is computed unless time was reserved
