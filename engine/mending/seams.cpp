@@ -17,7 +17,9 @@ namespace {
 
 using Uses = std::vector<EdgeUse>;
 
-bool is_open(std::span<const EdgeUse> edge) { return edge.size() % 2 == 1; }
+using IsOpen = std::function<bool(std::span<const EdgeUse>)>;
+
+bool is_odd(std::span<const EdgeUse> edge) { return edge.size() % 2 == 1; }
 
 Eigen::AlignedBox3d box_of(const Soup& soup) {
   Eigen::AlignedBox3d box;
@@ -31,7 +33,7 @@ struct OpenCorners {
   std::vector<double> shortest;         // by vertex of the soup, m
 };
 
-OpenCorners open_corners(const Soup& soup, const Uses& uses) {
+OpenCorners open_corners(const Soup& soup, const Uses& uses, const IsOpen& is_open) {
   OpenCorners out;
   out.shortest.assign(soup.vertices.size(), std::numeric_limits<double>::infinity());
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
@@ -51,10 +53,14 @@ OpenCorners open_corners(const Soup& soup, const Uses& uses) {
 /// One attempt to close the open edges with a given reach.
 class Attempt {
  public:
-  Attempt(const Soup& soup, const Eigen::AlignedBox3d& box, double reach)
-      : soup_(soup), low_(box.min()), diagonal_(box.sizes().norm()), reach_(reach) {}
+  Attempt(const Soup& soup, const IsOpen& is_open, const Eigen::AlignedBox3d& box, double reach)
+      : soup_(soup),
+        is_open_(is_open),
+        low_(box.min()),
+        diagonal_(box.sizes().norm()),
+        reach_(reach) {}
 
-  /// `open`: the uses of edges with an odd number of uses; `all`: the number of all uses.
+  /// `open`: the uses of open edges; `all`: the number of all uses.
   Seams run(const Uses& open, std::size_t all) {
     out_.reach = reach_;
     join_corners(open);
@@ -79,7 +85,7 @@ class Attempt {
     out_.label.resize(soup_.vertices.size());
     std::iota(out_.label.begin(), out_.label.end(), 0u);
     if (!(reach_ > 0)) return;
-    const OpenCorners corners = open_corners(soup_, open);
+    const OpenCorners corners = open_corners(soup_, open, is_open_);
     const PointGrid grid(soup_.vertices, corners.vertices, low_, 4 * reach_);
     TurnedSets sets(soup_.vertices.size());
     const Vec3 around = Vec3::Constant(reach_);
@@ -99,13 +105,13 @@ class Attempt {
   /// them.
   void cut_at_corners(const Uses& uses, std::size_t all) {
     std::size_t open = 0;
-    for_each_edge(uses, [&](std::span<const EdgeUse> edge) { open += is_open(edge); });
+    for_each_edge(uses, [&](std::span<const EdgeUse> edge) { open += is_open_(edge); });
     if (open > seam_tuning.most_open && 10 * open > all / 2) {
       out_.unsearched = open;
       out_.uses = uses;
       return;
     }
-    const OpenCorners corners = open_corners(soup_, uses);
+    const OpenCorners corners = open_corners(soup_, uses, is_open_);
     const double cell = std::max({median_length(uses), diagonal_ / 512, 4 * reach_});
     if (!(cell > 0)) {
       out_.uses = uses;
@@ -114,7 +120,7 @@ class Attempt {
     const PointGrid grid(soup_.vertices, corners.vertices, low_, cell);
     for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
       std::vector<std::uint32_t> chain;
-      if (is_open(edge)) chain = on_edge(edge[0], corners, grid);
+      if (is_open_(edge)) chain = on_edge(edge[0], corners, grid);
       out_.on_edges += chain.size();
       for (const EdgeUse& use : edge) add_pieces(use, chain);
     });
@@ -175,6 +181,7 @@ class Attempt {
   }
 
   const Soup& soup_;
+  const IsOpen& is_open_;
   Vec3 low_;
   double diagonal_, reach_;
   Seams out_;
@@ -183,21 +190,21 @@ class Attempt {
 double border_length(const Soup& soup, const Uses& uses) {
   double length = 0;
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
-    if (is_open(edge)) length += (soup.vertices[edge[0].low] - soup.vertices[edge[0].high]).norm();
+    if (is_odd(edge)) length += (soup.vertices[edge[0].low] - soup.vertices[edge[0].high]).norm();
   });
   return length;
 }
 
-}  // namespace
-
-Seams find_seams(const Soup& soup, const Uses& uses, const Progress& progress) {
+/// `shorter_at_once`: how much shorter cuts alone must make the border, with no corners joined.
+Seams find_seams_by(const Soup& soup, const Uses& uses, const SeamJudge& judge,
+                    double shorter_at_once, const Progress& progress) {
   Uses open, paired;
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
-    Uses& to = is_open(edge) ? open : paired;
+    Uses& to = judge.open(edge) ? open : paired;
     to.insert(to.end(), edge.begin(), edge.end());
   });
   const Eigen::AlignedBox3d box = box_of(soup);
-  double border = border_length(soup, open);
+  double border = judge.border(open);
   Seams best;
   best.label.resize(soup.vertices.size());
   std::iota(best.label.begin(), best.label.end(), 0u);
@@ -209,7 +216,7 @@ Seams find_seams(const Soup& soup, const Uses& uses, const Progress& progress) {
                    std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()));
   const auto within = [&](double reach) {
     const double at_least = reach == widest_reach ? rounding : 0;
-    return Attempt(soup, box, std::max(reach * size, at_least)).run(open, uses.size());
+    return Attempt(soup, judge.open, box, std::max(reach * size, at_least)).run(open, uses.size());
   };
   report(progress, 0);
   // If the widest reach finds nothing, no smaller one does.
@@ -222,8 +229,8 @@ Seams find_seams(const Soup& soup, const Uses& uses, const Progress& progress) {
     if (border == 0) break;
     report(progress, 0.5);
     Seams tried = within(reach);
-    const double left = border_length(soup, tried.uses);
-    if (left > seam_tuning.shorter * border) continue;
+    const double left = judge.border(tried.uses);
+    if (left > (reach > 0 ? seam_tuning.shorter : shorter_at_once) * border) continue;
     best = std::move(tried);
     border = left;
   }
@@ -231,6 +238,19 @@ Seams find_seams(const Soup& soup, const Uses& uses, const Progress& progress) {
   best.uses.insert(best.uses.end(), paired.begin(), paired.end());
   sort_uses(best.uses, soup.vertices.size());
   return best;
+}
+
+}  // namespace
+
+Seams find_seams(const Soup& soup, const Uses& uses, const Progress& progress) {
+  return find_seams_by(soup, uses,
+                       {is_odd, [&](const Uses& left) { return border_length(soup, left); }},
+                       seam_tuning.shorter, progress);
+}
+
+Seams find_seams(const Soup& soup, const Uses& uses, const SeamJudge& judge,
+                 const Progress& progress) {
+  return find_seams_by(soup, uses, judge, 1 - seam_tuning.rounding, progress);
 }
 
 }  // namespace sonde

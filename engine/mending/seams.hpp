@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "engine/base/error.hpp"
@@ -58,5 +60,18 @@ struct Seams {
 /// `uses` are all those of the soup (edge_uses). An edge with an odd number of uses is open. Throws
 /// Cancelled.
 Seams find_seams(const Soup& soup, const std::vector<EdgeUse>& uses, const Progress& progress = {});
+
+/// What the seams of a soup are judged by, if it is not known yet which of its triangles stay.
+struct SeamJudge {
+  /// Whether an edge, with these uses, may be joined with others and cut.
+  std::function<bool(std::span<const EdgeUse>)> open;
+  /// m: the border that is left, given the uses of the edges that may be joined.
+  std::function<double(const std::vector<EdgeUse>&)> border;
+};
+
+/// The same by that judge. Corners that lie exactly on open edges cut them, if that shortens the
+/// border at all.
+Seams find_seams(const Soup& soup, const std::vector<EdgeUse>& uses, const SeamJudge& judge,
+                 const Progress& progress = {});
 
 }  // namespace sonde

@@ -2,6 +2,7 @@
 #include "tests/support/defects.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <random>
 
@@ -97,6 +98,35 @@ PolygonSoup cut_beyond(const PolygonSoup& soup, const Vec3& normal, double at, d
   return out;
 }
 
+PolygonSoup cut_here_and_there(const PolygonSoup& soup, int one_in, double by, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  PolygonSoup out{soup.points, {}};
+  const auto on_side = [&](std::size_t a, std::size_t b) {
+    const double at = uniform(random, 0.2, 0.8);
+    out.points.push_back(
+        (1 - at) * soup.points[a] + at * soup.points[b] +
+        Vec3(uniform(random, -by, by), uniform(random, -by, by), uniform(random, -by, by)));
+    return out.points.size() - 1;
+  };
+  for (Polygon t : triangulated(soup).polygons) {
+    if (static_cast<int>(random() % static_cast<std::uint64_t>(one_in)) != 0) {
+      out.polygons.push_back(t);
+      continue;
+    }
+    std::rotate(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(random() % 3), t.end());
+    const std::size_t ab = on_side(t[0], t[1]);
+    out.polygons.push_back({t[0], ab, t[2]});
+    if (random() % 2 == 0) {
+      out.polygons.push_back({ab, t[1], t[2]});
+      continue;
+    }
+    const std::size_t bc = on_side(t[1], t[2]);
+    out.polygons.push_back({ab, t[1], bc});
+    out.polygons.push_back({ab, bc, t[2]});
+  }
+  return out;
+}
+
 PolygonSoup without(const PolygonSoup& soup, const std::function<bool(const Vec3&)>& left_out) {
   PolygonSoup out = triangulated(soup);
   std::erase_if(out.polygons, [&](const Polygon& t) { return left_out(middle_of(out, t)); });
@@ -114,6 +144,39 @@ PolygonSoup icosphere(double radius, int times) {
                   {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
   for (int k = 0; k < times; ++k) out = cut_beyond(out, Vec3::UnitX(), -1e9);
   return moved(std::move(out), [radius](const Vec3& x) { return Vec3(radius * x.normalized()); });
+}
+
+PolygonSoup lathed(const std::vector<Eigen::Vector2d>& profile, int n) {
+  PolygonSoup out;
+  std::vector<std::vector<std::size_t>> around;  // by corner of the profile
+  for (const Eigen::Vector2d& p : profile) {
+    std::vector<std::size_t>& at = around.emplace_back();
+    for (int k = 0; k < n; ++k) {
+      if (k == 0 || p.x() != 0)
+        out.points.emplace_back(p.x() * std::cos(two_pi * k / n), p.x() * std::sin(two_pi * k / n),
+                                p.y());
+      at.push_back(out.points.size() - 1);
+    }
+  }
+  for (std::size_t i = 0; i < profile.size(); ++i) {
+    const std::size_t j = (i + 1) % profile.size();
+    for (std::size_t k = 0; k < around[i].size(); ++k) {
+      const std::size_t l = (k + 1) % around[i].size();
+      const std::size_t a = around[i][k], b = around[i][l], c = around[j][l], d = around[j][k];
+      if (a != b) out.polygons.push_back({a, b, c});
+      if (c != d) out.polygons.push_back({a, c, d});
+    }
+  }
+  return out;
+}
+
+double lathed_volume(const std::vector<Eigen::Vector2d>& profile, int n) {
+  double sum = 0;
+  for (std::size_t i = 0; i < profile.size(); ++i) {
+    const Eigen::Vector2d &p = profile[i], &q = profile[(i + 1) % profile.size()];
+    sum += (q.y() - p.y()) * (p.x() * p.x() + p.x() * q.x() + q.x() * q.x()) / 3;
+  }
+  return sum * n / 2 * std::sin(two_pi / n);
 }
 
 PolygonSoup prism(const std::vector<Eigen::Vector2d>& outline, double height) {

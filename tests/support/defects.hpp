@@ -25,8 +25,16 @@ PolygonSoup cracked(const PolygonSoup& soup, double by, std::uint64_t seed);
 /// sides, each up to `by` m off: along the cut, the corners of the ones lie on the sides of the
 /// others.
 PolygonSoup cut_beyond(const PolygonSoup& soup, const Vec3& normal, double at, double by = 0);
+/// Some of the triangles (one in `one_in`), each cut in two at one of its sides or in three at two
+/// of them, by corners up to `by` m off: they lie on the sides of the neighbours.
+PolygonSoup cut_here_and_there(const PolygonSoup& soup, int one_in, double by, std::uint64_t seed);
 /// Without the triangles that the predicate holds for, by their middles.
 PolygonSoup without(const PolygonSoup& soup, const std::function<bool(const Vec3&)>& left_out);
+/// A profile of (radius, height), counter-clockwise about its inside, turned about the z axis in
+/// `n` steps. A radius of 0 is a corner on the axis.
+PolygonSoup lathed(const std::vector<Eigen::Vector2d>& profile, int n);
+/// m³: the volume of that, a sum of frusta over regular polygons.
+double lathed_volume(const std::vector<Eigen::Vector2d>& profile, int n);
 /// An icosphere: 20 · 4ⁿ triangles.
 PolygonSoup icosphere(double radius, int times);
 /// A prism over a polygon in the xy plane (counter-clockwise), from z = 0 to `height`.
