@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "engine/base/ordering.hpp"
 #include "engine/base/progress.hpp"
@@ -19,34 +20,68 @@ struct Ends {
   std::vector<std::size_t> on_cap;   ///< if no other part covers it
 };
 
-/// Follows a line from one end to the first hit of each part. An opening hidden by another part
-/// does not count as open: a lid covers it. Caps hide only what is behind them in their own part.
-template <class Hits>
-void look_along(const Hits& hits, const Sealed& sealed, Ends& ends,
-                std::vector<std::uint32_t>& seen) {
-  seen.clear();
-  bool covered = false;
-  for (const LineHit& hit : hits) {
-    const std::uint32_t part = sealed.part[hit.triangle], cap = sealed.cap[hit.triangle];
-    if (std::find(seen.begin(), seen.end(), part) == seen.end()) {
-      ++ends.on_part[part];
-      seen.push_back(part);
-      if (cap != Sealed::no_cap && !covered) ++ends.on_cap[cap];
-    }
-    covered = covered || cap == Sealed::no_cap;
-  }
-}
+/// Follows each line from both ends to the first hit of each part. An opening hidden by another
+/// part does not count as open: a lid covers it. Caps hide only what is behind them in their own
+/// part.
+class Look {
+ public:
+  Look(const Sealed& sealed, Ends& ends)
+      : sealed_(sealed), ends_(ends), place_(ends.on_part.size(), nowhere) {}
 
-void look(const Lines& lines, const Sealed& sealed, Ends& ends) {
-  std::vector<std::uint32_t> seen;
-  std::vector<LineHit> backwards;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto hits = lines[i];
-    look_along(hits, sealed, ends, seen);
-    backwards.assign(hits.rbegin(), hits.rend());
-    look_along(backwards, sealed, ends, seen);
+  void along(const Lines& lines, const Progress& progress) {
+    lines.each_unordered(
+        [this](std::size_t, std::span<const LineHit> hits) {
+          look(hits);
+          return true;
+        },
+        progress);
   }
-}
+
+ private:
+  static constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+  /// The hits of a part nearest to the two ends of a line.
+  struct Outermost {
+    std::uint32_t part;
+    const LineHit *first, *last;
+  };
+  static bool before(const LineHit& p, const LineHit& q) {
+    return p.along != q.along ? p.along < q.along : p.triangle < q.triangle;
+  }
+  static void extend(const LineHit& hit, const LineHit*& first, const LineHit*& last) {
+    if (first == nullptr || before(hit, *first)) first = &hit;
+    if (last == nullptr || before(*last, hit)) last = &hit;
+  }
+
+  void look(std::span<const LineHit> hits) {
+    seen_.clear();
+    const LineHit *first = nullptr, *last = nullptr;  // that cover what is behind
+    for (const LineHit& hit : hits) {
+      const std::uint32_t part = sealed_.part[hit.triangle];
+      if (place_[part] == nowhere) {
+        place_[part] = seen_.size();
+        seen_.push_back({part, nullptr, nullptr});
+      }
+      Outermost& own = seen_[place_[part]];
+      extend(hit, own.first, own.last);
+      if (sealed_.cap[hit.triangle] == Sealed::no_cap) extend(hit, first, last);
+    }
+    for (const Outermost& own : seen_) {
+      place_[own.part] = nowhere;
+      ends_.on_part[own.part] += 2;
+      const std::uint32_t at_first = sealed_.cap[own.first->triangle],
+                          at_last = sealed_.cap[own.last->triangle];
+      if (at_first != Sealed::no_cap && !(first != nullptr && before(*first, *own.first)))
+        ++ends_.on_cap[at_first];
+      if (at_last != Sealed::no_cap && !(last != nullptr && before(*own.last, *last)))
+        ++ends_.on_cap[at_last];
+    }
+  }
+
+  const Sealed& sealed_;
+  Ends& ends_;
+  std::vector<std::size_t> place_;  // by part, in seen_
+  std::vector<Outermost> seen_;
+};
 
 class Judge {
  public:
@@ -60,7 +95,8 @@ class Judge {
   std::vector<PartFacts> run(const Progress& progress) {
     measure();
     report(progress, 0.2);
-    for (std::uint32_t p = 0; p < facts_.size(); ++p) find_flat(p);
+    const Progress stays = part_of(progress, 0.2, 0.2);
+    for (std::uint32_t p = 0; p < facts_.size(); ++p) find_flat(p, stays);
     report(progress, 0.4);
     find_mouths(part_of(progress, 0.4, 1));
     return std::move(facts_);
@@ -121,7 +157,7 @@ class Judge {
   }
 
   /// Lobes of opposite winding may cancel in the volume; lines then decide.
-  void find_flat(std::uint32_t p) {
+  void find_flat(std::uint32_t p, const Progress& progress) {
     PartFacts& part = facts_[p];
     const double unit = part.area * boxes_[p].sizes().norm();
     if (std::abs(part.volume) > part_tuning.flat * unit) return;
@@ -135,16 +171,19 @@ class Judge {
     double inside = 0;
     for (int k = 0; k < 3; ++k) {
       const Lines lines(own.soup, line_frame(k), part_tuning.flat_lines);
-      for (std::size_t i = 0; i < lines.size(); ++i) {
-        int winding = 0;
-        double from = 0;
-        for (const LineHit& hit : lines[i]) {
-          if (const double length = hit.along - from; winding != 0 && length > thin)
-            inside += length * lines.pixel() * lines.pixel() / 3;
-          winding -= hit.sign;
-          from = hit.along;
-        }
-      }
+      lines.each(
+          [&](std::size_t, std::span<const LineHit> hits) {
+            int winding = 0;
+            double from = 0;
+            for (const LineHit& hit : hits) {
+              if (const double length = hit.along - from; winding != 0 && length > thin)
+                inside += length * lines.pixel() * lines.pixel() / 3;
+              winding -= hit.sign;
+              from = hit.along;
+            }
+            return true;
+          },
+          progress);
     }
     part.flat = !(inside > part_tuning.flat_by_lines * unit);
   }
@@ -156,18 +195,20 @@ class Judge {
     if (open.empty()) return;
     Ends ends(facts_.size(), caps_.size());
     for (int k = 0; k < 3; ++k) {
-      report(progress, k / 4.0);
-      look(Lines(sealed_.soup, line_frame(k), part_tuning.lines), sealed_, ends);
+      Look(sealed_, ends)
+          .along(Lines(sealed_.soup, line_frame(k), part_tuning.lines),
+                 part_of(progress, k / 4.0, (k + 1) / 4.0));
     }
     std::size_t rasters = 0;
+    const Progress stays = part_of(progress, 0.75, 0.75);
     for (const std::uint32_t p : open) {
       if (ends.on_part[p] >= part_tuning.fewest_ends) continue;
       const auto [first, own] = caps_of(p);
       const bool in_sight = rasters++ < part_tuning.most_rasters;
-      const Ends found =
-          in_sight ? ends_in(box_of(p), part_tuning.own_lines, sealed_,
-                             Ends(facts_.size(), caps_.size()))
-                   : ends_in(box_of(p), part_tuning.few_lines, alone(p, first), Ends(1, own));
+      const Ends found = in_sight ? ends_in(box_of(p), part_tuning.own_lines, sealed_,
+                                            Ends(facts_.size(), caps_.size()), stays)
+                                  : ends_in(box_of(p), part_tuning.few_lines, alone(p, first),
+                                            Ends(1, own), stays);
       ends.on_part[p] = found.on_part[in_sight ? p : 0];
       for (std::size_t c = 0; c < own; ++c)
         ends.on_cap[first + c] = found.on_cap[in_sight ? first + c : c];
@@ -208,11 +249,12 @@ class Judge {
     return boxes;
   }
 
-  static Ends ends_in(const Boxes& boxes, int count, const Sealed& what, Ends ends) {
+  static Ends ends_in(const Boxes& boxes, int count, const Sealed& what, Ends ends,
+                      const Progress& progress) {
     for (int k = 0; k < 3; ++k) {
       const Eigen::AlignedBox2d& box = boxes[static_cast<std::size_t>(k)];
       if (const double size = box.sizes().maxCoeff(); size > 0)
-        look(Lines(what.soup, line_frame(k), count, box.min(), size), what, ends);
+        Look(what, ends).along(Lines(what.soup, line_frame(k), count, box.min(), size), progress);
     }
     return ends;
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "engine/base/progress.hpp"
 #include "engine/geometry/mass_integrals.hpp"
@@ -54,8 +55,9 @@ class Regions {
     out.overlaps = true;
     MassMoments found[2];
     for (std::size_t k = 0; k < 2; ++k) {
-      report(progress, 0.2 + 0.4 * static_cast<double>(k));
-      found[k] = integrate(overlap_tuning.rasters[k]);
+      // The second raster is the finer one, and takes most of the time.
+      found[k] = integrate(overlap_tuning.rasters[k],
+                           k == 0 ? part_of(progress, 0.2, 0.35) : part_of(progress, 0.35, 0.9));
     }
     const bool apart = std::ranges::all_of(roles_, [](const Role& r) { return r.constant; });
     out.soup.vertices = soup_.vertices;
@@ -67,7 +69,7 @@ class Regions {
       if (weight < 0) std::swap(out.soup.triangles.back()[1], out.soup.triangles.back()[2]);
     }
     if (apart) {
-      out.hidden = hidden_parts();
+      out.hidden = hidden_parts(part_of(progress, 0.9, 1));
       return out;
     }
     const double volume = std::abs(mass_by_volume(soup_).measure + found[1].measure);
@@ -83,20 +85,20 @@ class Regions {
   bool any_overlap(const Progress& progress) const {
     int inside = 0;
     for (int k = 0; k < 3; ++k) {
-      report(progress, k / 3.0);
       const Lines lines(soup_, line_frame(k), overlap_tuning.first_look);
-      for (std::size_t i = 0; i < lines.size(); ++i) {
+      const auto agrees = [&](std::size_t, std::span<const LineHit> all) {
         bool odd = false;
         double from = 0;
         bool found = false;
-        each_step(lines[i], rounding_, [&](std::span<const LineHit> hits, int, int next) {
+        each_step(all, rounding_, [&](std::span<const LineHit> hits, int, int next) {
           found = found || (odd && hits[0].along - from > rounding_);
           if (inside == 0 && std::abs(next) == 1) inside = next;
           odd = next != 0 && next != inside;
           from = hits.back().along;
         });
-        if (found) return true;
-      }
+        return !found;
+      };
+      if (!lines.each(agrees, part_of(progress, k / 3.0, (k + 1) / 3.0))) return true;
     }
     return false;
   }
@@ -114,7 +116,7 @@ class Regions {
   }
 
   /// Parts with the inside on both of their sides; none if the region needs one of them.
-  std::vector<bool> hidden_parts() const {
+  std::vector<bool> hidden_parts(const Progress& progress) const {
     std::vector<bool> hidden(roles_.size());
     bool any = false;
     for (std::size_t p = 0; p < roles_.size(); ++p) {
@@ -124,24 +126,25 @@ class Regions {
     if (!any) return {};
     for (int k = 0; k < 3; ++k) {
       const Lines lines(soup_, line_frame(k), overlap_tuning.rasters[0]);
-      for (std::size_t i = 0; i < lines.size(); ++i) {
+      const auto agrees = [&](std::size_t, std::span<const LineHit> all) {
         int left = 0;
         bool differs = false, found = false;
         double from = 0;
-        each_step(lines[i], rounding_, [&](std::span<const LineHit> hits, int, int after) {
+        each_step(all, rounding_, [&](std::span<const LineHit> hits, int, int after) {
           found = found || (differs && hits[0].along - from > rounding_);
           for (const LineHit& hit : hits)
             if (!hidden[part_[hit.triangle]]) left -= hit.sign;
           differs = (left != 0) != (after != 0);
           from = hits.back().along;
         });
-        if (found) return {};
-      }
+        return !found;
+      };
+      if (!lines.each(agrees, part_of(progress, k / 3.0, (k + 1) / 3.0))) return {};
     }
     return hidden;
   }
 
-  MassMoments integrate(int count) {
+  MassMoments integrate(int count, const Progress& progress) {
     MassMoments sum;
     sum.origin = soup_.vertices[soup_.triangles[0][0]];
     for (int k = 0; k < 3; ++k) {
@@ -149,11 +152,10 @@ class Regions {
       const Vec3 way = frame.row(2).transpose();
       const Lines lines(soup_, frame, count);
       const double section = lines.pixel() * lines.pixel() / 3;
-      for (std::size_t i = 0; i < lines.size(); ++i) {
-        const auto hits = lines[i];
+      const auto add = [&](std::size_t i, std::span<const LineHit> hits) {
         int total = 0;
         for (const LineHit& hit : hits) total += hit.sign;
-        if (total != 0) continue;
+        if (total != 0) return true;
         int missing = 0;
         double from = 0;
         each_step(hits, rounding_, [&](std::span<const LineHit> at, int before, int after) {
@@ -170,7 +172,9 @@ class Regions {
           missing = (after != 0) - after;
           from = at.back().along;
         });
-      }
+        return true;
+      };
+      lines.each(add, part_of(progress, k / 3.0, (k + 1) / 3.0));
     }
     return sum;
   }
