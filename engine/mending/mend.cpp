@@ -32,6 +32,7 @@ class Mender {
     seams_ = find_seams(once_, uses, part_of(progress, 0.3, 0.45));
     orientation_ = find_orientation(once_, seams_.uses, part_of(progress, 0.45, 0.6));
     caps_ = find_caps(once_, seams_.uses, orientation_);
+    count_open_edges(uses);
     Sealed sealed = seal(once_, seams_, orientation_, caps_);
     facts_ = judge_parts(sealed, caps_, orientation_.conflicts, part_of(progress, 0.6, 0.9));
     choose(sealed, part_of(progress, 0.9, 1));
@@ -53,6 +54,14 @@ class Mender {
     }
   }
 
+  /// Of each part: the edges that are open in the file.
+  void count_open_edges(const std::vector<EdgeUse>& uses) {
+    open_of_.assign(orientation_.parts, 0);
+    for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+      if (edge.size() == 1) ++open_of_[orientation_.part[edge[0].triangle()]];
+    });
+  }
+
   void choose(Sealed& sealed, const Progress& progress) {
     solid_.resize(facts_.size());
     for (std::size_t p = 0; p < facts_.size(); ++p)
@@ -61,7 +70,7 @@ class Mender {
     turn_.assign(facts_.size(), false);
     if (!any) {
       if (asked_ == Model::solid)
-        throw InputError::in(name_, "cannot be a solid: " + why_surface());
+        throw InputError::in(name_, "cannot be a solid: " + why_surface(open_edges_));
       return;
     }
     const bool all = std::find(solid_.begin(), solid_.end(), false) == solid_.end();
@@ -167,16 +176,18 @@ class Mender {
     for (const TriangleKind kind : out_.kinds) r.cap_triangles += kind == TriangleKind::cap;
     out_.cracked = any && (r.joined + r.on_edges > 0);
     if (!any)
-      out_.why = why_surface() + ": the inside does not count";
+      out_.why = why_surface(open_edges_) + ": the inside does not count";
     else if (r.solid_parts < r.parts)
       out_.why = std::to_string(r.solid_parts) + " of " + counted(r.parts, "part") +
                  (r.solid_parts == 1 ? " is closed: its inside counts"
                                      : " are closed: their inside counts") +
-                 (r.could_be_solid ? "; the largest other has " + why_surface() : "");
+                 (r.could_be_solid ? "; the largest other has " + why_largest_other() : "");
     else if (r.any())
       out_.why = "closed once mended: the inside counts";
     else
       out_.why = "closed: the inside counts";
+    if (r.unsearched > 0)
+      out_.why += "; corners on open edges were not looked for, which may leave it in pieces";
   }
 
   /// Finds the places of repairs, by the labels of corners: cracked parts are connected by these.
@@ -246,14 +257,19 @@ class Mender {
     return largest;
   }
 
-  std::string why_surface() const {
+  std::string why_largest_other() const {
+    const auto p = static_cast<std::size_t>(largest_open() - facts_.data());
+    return why_surface(open_of_[p]);
+  }
+
+  std::string why_surface(std::size_t open_edges) const {
     const PartFacts* largest = largest_open();
     if (largest == nullptr) return "no triangles";
     if (largest->torn > 0 && !largest->flat)
       return "one side only (non-orientable along " + counted(largest->torn, "edge") + ")";
-    const std::string edges = open_edges_ == 0 ? "" : counted(open_edges_, "open edge");
-    if (largest->flat) return open_edges_ == 0 ? "closed but flat (no volume)" : edges;
-    return edges + (open_edges_ == 0 ? "" : ", ") +
+    const std::string edges = open_edges == 0 ? "" : counted(open_edges, "open edge");
+    if (largest->flat) return open_edges == 0 ? "closed but flat (no volume)" : edges;
+    return edges + (open_edges == 0 ? "" : ", ") +
            (largest->mouth > part_tuning.widest_mouth
                 ? "open mouth " + number_text(100 * largest->mouth, 2)
                 : "openings " + number_text(100 * largest->open, 2)) +
@@ -271,7 +287,8 @@ class Mender {
   Orientation orientation_;
   std::vector<Cap> caps_;
   std::vector<PartFacts> facts_;
-  std::vector<bool> solid_, turn_;  // by part
+  std::vector<bool> solid_, turn_;    // by part
+  std::vector<std::size_t> open_of_;  // by part
   Mended out_;
 };
 

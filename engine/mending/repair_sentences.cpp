@@ -20,7 +20,8 @@ std::vector<std::string> sentences(const Repairs& r) {
     out.push_back(counted(r.on_edges, "corner") + " found on edges of others, which count as cut");
   if (r.unsearched > 0)
     out.push_back(counted(r.unsearched, "open edge") +
-                  ": too many to look for corners that lie on them");
+                  ", too many to look for corners that lie on them (T-junctions): such edges stay "
+                  "open, are capped, and may leave parts that belong together apart");
   if (r.repeated > 0) out.push_back(counted(r.repeated, "repeated triangle") + " counted once");
   if (r.turned_triangles > 0)
     out.push_back(counted(r.turned_triangles, "triangle") + " turned to agree with neighbours");

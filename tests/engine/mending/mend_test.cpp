@@ -79,6 +79,30 @@ TEST(Mend, a_surface_is_left_as_it_is) {
   EXPECT_NEAR(mass_by_volume(solid.solid.soup).measure, 1, 1e-14);
 }
 
+// Beside a large solid that is whole, and a sheet with open edges of its own.
+TEST(Mend, the_open_edges_that_are_said_are_those_of_the_part) {
+  const PolygonSoup vessel =
+      test::without(test::box({1, 1, 1}), [](const Vec3& x) { return x.z() > 0.49; });
+  const PolygonSoup sheet =
+      test::without(test::box({0.5, 0.5, 0.1}), [](const Vec3& x) { return x.z() > -0.04; });
+  const Mended m = mended(
+      test::joined(test::joined(test::icosphere(1, 2), vessel, {3, 0, 0}), sheet, {0, 0, 3}));
+  EXPECT_THAT(m.why, testing::StartsWith("1 of 3 parts is closed: its inside counts; the largest "
+                                         "other has 4 open edges, open mouth 1"));
+}
+
+// Twenty thousand triangles, each cut off from the others by a corner on each side.
+TEST(Mend, it_says_where_corners_on_edges_were_not_looked_for) {
+  PolygonSoup mesh = test::icosphere(1, 0);
+  for (int k = 0; k < 5; ++k) mesh = test::cut_beyond(mesh, Vec3::UnitX(), -9);
+  const Mended m = mended(test::cut_here_and_there(mesh, 2, 0, 1));
+  EXPECT_GT(m.repairs.unsearched, seam_tuning.most_open);
+  EXPECT_THAT(m.why, testing::HasSubstr("corners on open edges were not looked for"));
+  const Mended few = mended(test::cut_here_and_there(test::icosphere(1, 2), 2, 0, 1));
+  EXPECT_EQ(few.repairs.unsearched, 0u);
+  EXPECT_THAT(few.why, testing::Not(testing::HasSubstr("looked for")));
+}
+
 TEST(Mend, what_has_no_inside_cannot_be_a_solid) {
   const PolygonSoup sheet =
       test::without(test::box({1, 1, 1}), [](const Vec3& x) { return x.z() < 0.49; });
