@@ -98,12 +98,12 @@ std::size_t set_aside_degenerate(Soup& soup, const Progress& progress) {
 
 std::vector<TriangleKind> choose_mended(Body& body, const Soup& all, Model asked,
                                         const Progress& progress) {
-  Mended mended = mend(all, body.topology, asked, body.name, part_of(progress, 0, 0.7));
+  Mended mended = mend(all, body.topology, asked, body.name, part_of(progress, 0, 0.4));
   body.why = mended.why;
   const bool any_inside = !mended.solid.soup.triangles.empty();
   Region region;
   if (any_inside)
-    region = find_region(mended.solid.soup, mended.solid.part, part_of(progress, 0.7, 0.85));
+    region = find_region(mended.solid.soup, mended.solid.part, part_of(progress, 0.4, 0.85));
   hide(mended, region.hidden);
   body.repairs = mended.repairs;
   body.places = places_of(mended, all);
