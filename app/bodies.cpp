@@ -147,6 +147,12 @@ Scene scene_at(const std::string& file, const std::string& within) {
   return scene;
 }
 
+void take_trajectory(Scene& scene, const std::string& given) {
+  if (given.empty()) return;
+  scene.trajectory = given;
+  scene.trajectory_line = 0;
+}
+
 std::vector<std::filesystem::path> inputs_of(const Scene& scene) {
   std::vector<std::filesystem::path> files{scene.file};
   for (const SceneBody* whole : {&scene.probe, &scene.fixed})

@@ -42,6 +42,9 @@ void add_within(CLI::App& parser, std::string& folder);
 /// its meshes are there.
 Scene scene_at(const std::string& file, const std::string& within);
 
+/// A trajectory that is given stands for the scene's.
+void take_trajectory(Scene& scene, const std::string& given);
+
 /// The files of a scene.
 std::vector<std::filesystem::path> inputs_of(const Scene& scene);
 
