@@ -83,6 +83,11 @@ std::vector<std::string> remarks_on(const Body& body) {
   return remarks;
 }
 
+void say_remarks_on(const Body& body, const std::string& name) {
+  for (const std::string& remark : remarks_on(body))
+    std::cerr << "sonde: " << printable(name) << ": " << remark << '\n';
+}
+
 std::vector<std::string> remarks_on(const Pair& pair) {
   std::vector<std::string> remarks{remark_on("the probe", pair.probe()),
                                    remark_on("the fixed body", pair.fixed())};

@@ -54,6 +54,8 @@ void add_repair(CLI::App& parser, std::string& repair);
 /// What a reader of results must know of a body beside its numbers, a sentence each: what was
 /// mended or set aside, and what keeps an inside from counting.
 std::vector<std::string> remarks_on(const Body& body);
+/// Writes those on a body to stderr, a line each, after the name of what is meant.
+void say_remarks_on(const Body& body, const std::string& name);
 /// Those on both bodies: "the probe spoon.ply: 1 opening closed by ...".
 std::vector<std::string> remarks_on(const Pair& pair);
 
