@@ -83,6 +83,11 @@ std::vector<std::string> remarks_on(const Body& body) {
   return remarks;
 }
 
+void say_remarks_on(const Body& body, const std::string& name) {
+  for (const std::string& remark : remarks_on(body))
+    std::cerr << "sonde: " << printable(name) << ": " << remark << '\n';
+}
+
 std::vector<std::string> remarks_on(const Pair& pair) {
   std::vector<std::string> remarks{remark_on("the probe", pair.probe()),
                                    remark_on("the fixed body", pair.fixed())};
@@ -145,6 +150,12 @@ Scene scene_at(const std::string& file, const std::string& within) {
   Scene scene = within.empty() ? read_scene(file) : read_scene_within(within, file);
   require_meshes(scene);
   return scene;
+}
+
+void take_trajectory(Scene& scene, const std::string& given) {
+  if (given.empty()) return;
+  scene.trajectory = given;
+  scene.trajectory_line = 0;
 }
 
 std::vector<std::filesystem::path> inputs_of(const Scene& scene) {

@@ -42,6 +42,9 @@ void add_within(CLI::App& parser, std::string& folder);
 /// its meshes are there.
 Scene scene_at(const std::string& file, const std::string& within);
 
+/// A trajectory that is given stands for the scene's.
+void take_trajectory(Scene& scene, const std::string& given);
+
 /// The files of a scene.
 std::vector<std::filesystem::path> inputs_of(const Scene& scene);
 
@@ -51,6 +54,8 @@ void add_repair(CLI::App& parser, std::string& repair);
 /// What a reader of results must know of a body beside its numbers, a sentence each: what was
 /// mended or set aside, and what keeps an inside from counting.
 std::vector<std::string> remarks_on(const Body& body);
+/// Writes those on a body to stderr, a line each, after the name of what is meant.
+void say_remarks_on(const Body& body, const std::string& name);
 /// Those on both bodies: "the probe spoon.ply: 1 opening closed by ...".
 std::vector<std::string> remarks_on(const Pair& pair);
 

@@ -31,7 +31,7 @@ TradeSetup setup_of(const Scene& scene, const CalibrateOptions& options, Progres
   const Body &probe = setup.pair.probe(), &fixed = setup.pair.fixed();
   const Stop stop = stop_on_interrupt();
   if (scene.trajectory) {
-    setup.path = path_to_study(*scene.trajectory);
+    setup.path = path_to_study(scene);
     if (options.count == 0) return setup;
     std::vector<Pose> all;
     for (const TimedPose& at : setup.path) all.push_back(at.pose);

@@ -15,7 +15,6 @@
 #include "app/result_table.hpp"
 #include "engine/study/assembly/clash_picture.hpp"
 #include "engine/text/output_file.hpp"
-#include "engine/text/printable.hpp"
 
 namespace sonde::app {
 namespace {
@@ -139,10 +138,9 @@ std::vector<AssemblyPart> parts_of(const ClashFlags& flags) {
     parts.push_back({new_name(names, part_name(body)), load_body_of(bodies[i]), body.pose});
     progress.show("reading parts", i + 1, bodies.size());
     if (flags.output.quiet) continue;
-    for (const std::string& remark : remarks_on(*parts.back().body)) {
-      progress.clear();
-      std::cerr << "sonde: " << printable(parts.back().name) << ": " << remark << '\n';
-    }
+    if (remarks_on(*parts.back().body).empty()) continue;
+    progress.clear();
+    say_remarks_on(*parts.back().body, parts.back().name);
   }
   return parts;
 }

@@ -24,7 +24,7 @@ struct CompareOptions {
 
 Scene scene_for(const CompareOptions& options) {
   Scene scene = scene_of(options.bodies);
-  if (!options.trajectory.empty()) scene.trajectory = options.trajectory;
+  take_trajectory(scene, options.trajectory);
   if (!scene.trajectory) throw UsageError("the scene names no trajectory: give --trajectory");
   if (const auto mode = coupling_mode(options.coupling_mode)) scene.coupling.mode = *mode;
   for (const auto& [key, value] : options.coupling) set(scene.coupling, key, value);
@@ -44,7 +44,7 @@ void run(const CompareOptions& options) {
   check_output(options.study);
   refuse_other_things(options.study.out);
   const Scene scene = scene_for(options);
-  std::vector<TimedPose> path = path_to_study(*scene.trajectory);
+  std::vector<TimedPose> path = path_to_study(scene);
   std::optional<DeviceProfile> device;
   if (!options.device.empty()) device = device_named(options.device);
   CompareSetup setup{.render = {.pair = load_bodies(scene, options.study.quiet)}};

@@ -78,9 +78,9 @@ void run(const InsertOptions& options) {
   refuse_other_things(options.study.out);
   Scene scene = scene_of(options.bodies);
   scene.trajectory.reset();
-  if (!options.trajectory.empty()) scene.trajectory = options.trajectory;
+  take_trajectory(scene, options.trajectory);
   std::vector<Pose> path;
-  if (scene.trajectory) path = poses_of(path_to_study(*scene.trajectory));
+  if (scene.trajectory) path = poses_of(path_to_study(scene));
   const Pair pair = load_bodies(scene, options.study.quiet);
 
   InsertionRequest request{

@@ -99,6 +99,8 @@ void run(const PointsOptions& options) {
   ProgressLine progress(options.output.quiet);
   const auto body =
       load(options.mesh, options.reading, progress.percent("reading " + options.mesh));
+  progress.clear();
+  if (!options.output.quiet) say_remarks_on(*body, options.mesh);
   const bool rays = !options.rays.empty();
   std::set<std::string, std::less<>> names;
   ResultTable table{{rays ? columns_of_rays : columns_of_points}, {}};

@@ -243,10 +243,11 @@ Job job_of_recording(const ReplayOptions& options) {
 
 Job job_of_scene(const ReplayOptions& options) {
   Scene scene = scene_of(options.bodies);
-  if (!options.trajectory.empty()) scene.trajectory = options.trajectory;
+  take_trajectory(scene, options.trajectory);
   if (!scene.trajectory) throw UsageError("the scene names no trajectory: give --trajectory");
   std::vector<std::filesystem::path> inputs = inputs_of(scene);
   inputs.push_back(*scene.trajectory);
+  require_trajectory(scene);
   std::vector<LoopStep> steps = steps_of(read_trajectory(*scene.trajectory), scene.coupling);
   return {std::move(scene), std::move(steps), std::move(inputs)};
 }

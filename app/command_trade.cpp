@@ -72,9 +72,9 @@ void draw_series(const TradeOptions& options, const std::vector<TradeAnswer>& an
 void run_pair(const TradeOptions& options) {
   refuse_other_things(options.study.out);
   Scene scene = scene_of(options.bodies);
-  if (!options.trajectory.empty()) scene.trajectory = options.trajectory;
+  take_trajectory(scene, options.trajectory);
   std::vector<TimedPose> path;
-  if (scene.trajectory) path = path_to_study(*scene.trajectory);
+  if (scene.trajectory) path = path_to_study(scene);
   ProgressLine progress(options.study.quiet);
   TradeSetup setup{.pair = load_bodies(scene, options.study.quiet, progress)};
   setup.scene = scene.name.empty()

@@ -35,6 +35,11 @@ std::vector<TimedPose> path_to_study(const std::filesystem::path& file) {
   return path;
 }
 
+std::vector<TimedPose> path_to_study(const Scene& scene) {
+  require_trajectory(scene);
+  return path_to_study(*scene.trajectory);
+}
+
 void add_flags(CLI::App& parser, StudyOptions& options) {
   parser.add_option("--out", options.out, "folder to write; finished parts in it are kept")
       ->required();

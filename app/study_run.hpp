@@ -33,6 +33,8 @@ void check_output(const StudyOptions& options);
 /// Reads the trajectory of a study. Throws InputError where it holds no pose, and as
 /// read_trajectory.
 std::vector<TimedPose> path_to_study(const std::filesystem::path& file);
+/// The same of the scene's trajectory, which it has.
+std::vector<TimedPose> path_to_study(const Scene& scene);
 
 /// The result that a finished folder is joined into.
 using StudyFiles = std::vector<StudyFile> (*)(const std::string& folder, const StudyFolder& study);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "engine/mesh_io/plain_text.hpp"
+#include "engine/text/printable.hpp"
 
 namespace sonde {
 namespace {
@@ -34,10 +35,7 @@ std::optional<double> number(std::string_view word) {
 
 std::string shown(std::string_view word) {
   constexpr std::size_t longest = 40;
-  std::string out(word.substr(0, longest));
-  std::replace_if(
-      out.begin(), out.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return "\"" + out + (word.size() > longest ? "...\"" : "\"");
+  return "\"" + typeable(word.substr(0, longest)) + (word.size() > longest ? "...\"" : "\"");
 }
 
 MeshScanner::MeshScanner(const std::string& file, std::string_view text, char comment,

@@ -10,6 +10,7 @@
 #include "engine/mesh_io/plain_text.hpp"
 #include "engine/mesh_io/remarks.hpp"
 #include "engine/mesh_io/stl_parts.hpp"
+#include "engine/text/printable.hpp"
 
 namespace sonde {
 
@@ -104,17 +105,8 @@ PolygonSoup read_binary_stl(const std::string& file, std::string_view bytes, con
 
 /// The first bytes for a person: what a keyboard can type as it is, the others as \xNN.
 std::string first_bytes(std::string_view bytes) {
-  constexpr std::string_view digits = "0123456789abcdef";
   constexpr std::size_t enough = 8;
-  std::string out;
-  for (const char c : bytes.substr(0, enough)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= ' ' && byte < 0x7f)
-      out += c;
-    else
-      out += {'\\', 'x', digits[byte >> 4], digits[byte & 15]};
-  }
-  return '"' + out + (bytes.size() > enough ? "…\"" : "\"");
+  return '"' + typeable(bytes.substr(0, enough)) + (bytes.size() > enough ? "…\"" : "\"");
 }
 
 /// Not even by intention: it begins as files of another kind do, or the count would be a file of

@@ -51,6 +51,13 @@ Keys device_keys() {
   return keys;
 }
 
+void require_file(const std::filesystem::path& scene, std::size_t line, const std::string& key,
+                  const std::filesystem::path& named) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(named, ignored))
+    fail_at(scene, line, in_quotes(key) + " names " + named.string() + ": no such file");
+}
+
 /// Reads the values of one scene.
 struct Reader : SceneReader {
   double unit(const JsonNode& node) const {
@@ -64,7 +71,9 @@ struct Reader : SceneReader {
   Coupling coupling_or_path(const JsonNode& node) const {
     if (node.kind != Kind::string) return coupling(node);
     const std::filesystem::path gains = path(node);
-    return outside ? Coupling{} : read_coupling(gains);
+    if (outside) return {};
+    require_file(file, node.line, node.key, gains);
+    return read_coupling(gains);
   }
   Coupling coupling(const JsonNode& node) const {
     Coupling coupling;
@@ -114,7 +123,10 @@ Scene read(const Reader& reader, const std::string& text) {
   scene.probe = reader.body(reader.need(root, "probe"), scene.unit);
   scene.fixed = reader.body(reader.need(root, "fixed"), scene.unit);
   scene.probe.offset = reader.offset(root, scene.unit);
-  if (const JsonNode* path = root.find("trajectory")) scene.trajectory = reader.path(*path);
+  if (const JsonNode* path = root.find("trajectory")) {
+    scene.trajectory = reader.path(*path);
+    scene.trajectory_line = path->line;
+  }
   if (const JsonNode* coupling = root.find("coupling"))
     scene.coupling = reader.coupling_or_path(*coupling);
   if (const JsonNode* servo = root.find("servo")) scene.servo = reader.servo(*servo);
@@ -193,12 +205,14 @@ std::vector<std::string> scene_keys() {
 }
 
 void require_meshes(const Scene& scene) {
-  std::error_code ignored;
   for (const SceneBody* whole : {&scene.probe, &scene.fixed})
     for (const SceneBody& body : meshes_of(*whole))
-      if (!std::filesystem::exists(body.mesh, ignored))
-        fail_at(scene.file, body.mesh_line,
-                "\"mesh\" names " + body.mesh.string() + ": no such file");
+      require_file(scene.file, body.mesh_line, "mesh", body.mesh);
+}
+
+void require_trajectory(const Scene& scene) {
+  if (scene.trajectory && scene.trajectory_line > 0)
+    require_file(scene.file, scene.trajectory_line, "trajectory", *scene.trajectory);
 }
 
 std::optional<double> unit_in_metres(const std::string& unit) {

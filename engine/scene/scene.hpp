@@ -30,6 +30,7 @@ struct Scene {
   SceneBody probe;
   SceneBody fixed;
   std::optional<std::filesystem::path> trajectory;
+  std::size_t trajectory_line = 0;  ///< where the file, as it was read, names it; 0: it does not
   Coupling coupling;
   ServoSettings servo;
   SceneDevice device;
@@ -81,5 +82,7 @@ Pose relative_pose(const Scene& scene);
 /// Throws InputError with the scene's line if one of its meshes does not exist. For a scene that
 /// was just read.
 void require_meshes(const Scene& scene);
+/// The same of its trajectory, for what needs that.
+void require_trajectory(const Scene& scene);
 
 }  // namespace sonde

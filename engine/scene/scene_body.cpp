@@ -17,6 +17,7 @@
 #include "engine/mesh_io/read_mesh.hpp"
 #include "engine/offset/offset_faces.hpp"
 #include "engine/text/counted.hpp"
+#include "engine/text/json_checks.hpp"
 
 namespace sonde {
 
@@ -131,7 +132,7 @@ void require_different_names(const SceneBody& whole) {
   for (const SceneBody& part : whole.parts)
     if (const std::string name = part_name(part); !names.insert(name).second)
       throw wrong(whole, part,
-                  "is a part named \"" + name + "\" as another is: give each a \"name\"");
+                  "is a part named " + in_quotes(name) + " as another is: give each a \"name\"");
 }
 
 /// What makes parts alike, wherever they stand.

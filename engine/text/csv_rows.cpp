@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/base/error.hpp"
+#include "engine/text/json_checks.hpp"
 #include "engine/text/number_text.hpp"
 #include "engine/text/text_file.hpp"
 
@@ -37,16 +38,11 @@ class Lines {
   std::size_t number_ = 0;
 };
 
-/// The text of a field, truncated if it is too long to be shown.
-std::string shown(std::string_view text) {
-  return text.size() <= 60 ? std::string(text) : std::string(text.substr(0, 57)) + "...";
-}
-
 double number_in(std::string_view field, std::string_view name) {
   const auto value = parse_number(field);
   if (!value || !std::isfinite(*value))
-    throw std::invalid_argument(std::string(name) + " is \"" + shown(field) +
-                                "\", which is not a finite number");
+    throw std::invalid_argument(std::string(name) + " is " + in_quotes(field) +
+                                ", which is not a finite number");
   return *value;
 }
 
@@ -91,7 +87,7 @@ bool read_csv_rows(const std::filesystem::path& file, std::span<const std::strin
   lines.next(line);
   if (line != header && line != other)
     throw InputError::at_line(file.string(), 1,
-                              "the header is \"" + shown(line) + "\"; expected \"" + header + "\"" +
+                              "the header is " + in_quotes(line) + "; expected \"" + header + "\"" +
                                   (other == header ? "" : " or \"" + other + "\""));
   const bool is_second = line != header;
   const std::span<const std::string_view> columns = is_second ? second : first;

@@ -5,12 +5,13 @@
 
 #include "engine/base/error.hpp"
 #include "engine/text/nearest.hpp"
+#include "engine/text/printable.hpp"
 
 namespace sonde {
 
 std::string in_quotes(std::string_view text) {
   const bool fits = text.size() <= 60;
-  return std::string("\"").append(text.substr(0, fits ? 60 : 57)).append(fits ? "\"" : "...\"");
+  return '"' + printable(text.substr(0, fits ? 60 : 57)) + (fits ? "\"" : "...\"");
 }
 
 void fail_at(const std::filesystem::path& file, std::size_t line, const std::string& reason) {

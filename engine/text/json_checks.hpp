@@ -14,7 +14,7 @@ namespace sonde {
 /// The checks that all readers of JSON files share. The errors are InputErrors with the file, the
 /// line and the reason.
 
-/// The text in quotes, truncated if it is long.
+/// The text in quotes, printable() and truncated if it is long.
 std::string in_quotes(std::string_view text);
 
 [[noreturn]] void fail_at(const std::filesystem::path& file, std::size_t line,

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/error.hpp"
+#include "engine/text/json_checks.hpp"
 
 namespace sonde {
 namespace {
@@ -89,7 +90,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     const std::size_t line = here();
     if (const JsonNode* first = stack_.back()->find(name))
       throw InputError::at_line(file_, line,
-                                "key \"" + name + "\" is given twice (first in line " +
+                                "key " + in_quotes(name) + " is given twice (first in line " +
                                     std::to_string(first->key_line) + ")");
     if (stack_.back()->children.size() == most_keys)
       throw InputError::at_line(file_, line, "too many keys in one object");

@@ -10,4 +10,7 @@ namespace sonde {
 /// any, and a terminal would execute it.
 std::string printable(std::string_view text);
 
+/// The same for bytes that may be no text: what a keyboard can type as it is, the others as \xNN.
+std::string typeable(std::string_view bytes);
+
 }  // namespace sonde

@@ -7,13 +7,14 @@
 #include <utility>
 
 #include "engine/base/error.hpp"
+#include "engine/text/json_checks.hpp"
 #include "engine/text/number_text.hpp"
 
 namespace sonde {
 namespace {
 
 [[noreturn]] void refuse(std::string_view text, const std::string& name, const char* expected) {
-  throw InputError::in(name, "\"" + std::string(text) + "\" is not " + expected);
+  throw InputError::in(name, in_quotes(text) + " is not " + expected);
 }
 
 }  // namespace

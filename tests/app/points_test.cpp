@@ -17,6 +17,20 @@ class Points : public AppTest {
   }
 };
 
+TEST_F(Points, of_a_mesh_that_is_taken_as_a_surface_are_said_to_be_so) {
+  // A box without one of its faces: how the interior is meant is not known.
+  folder.write("open.off",
+               "OFF\n8 10 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+               "3 0 2 1\n3 0 3 2\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n"
+               "3 3 0 4\n3 3 4 7\n");
+  const Outcome run = expect_done("points open.off --points p.csv");
+  EXPECT_THAT(run.err, testing::StartsWith("sonde: open.off: "));
+  EXPECT_THAT(run.err, HasSubstr("taken as a surface: "));
+  EXPECT_EQ(run.err.find("taken"), run.err.rfind("taken")) << "once";
+  EXPECT_EQ(expect_done("points open.off --points p.csv --quiet").err, "");
+  EXPECT_EQ(expect_done("points large.off --points p.csv").err, "");
+}
+
 // Reference: the box itself.
 TEST_F(Points, are_inside_or_not_and_have_a_nearest_one) {
   const Csv csv(expect_done("points large.off --points p.csv").out);

@@ -233,9 +233,16 @@ QString WayInControl::summary() const {
   const LengthUnit unit(session_->probe().mass.radius);
   const auto& steps = found_->steps;
   if (!found_->first) {
-    const auto least = std::ranges::min_element(steps, {}, room_of);
-    return QStringLiteral("It goes in: all %1 are free. The least room is %2, at %3.")
-        .arg(unit.text(way_.travel.back()), unit.text(room_of(*least)), unit.text(least->travel));
+    const LeastRoom& least = found_->room;
+    QString words = QStringLiteral("It goes in: all %1 are free. The least room is %2, at %3.")
+                        .arg(unit.text(way_.travel.back()), unit.text(least.clearance),
+                             unit.text(least.travel));
+    if (!least.complete)
+      words += QStringLiteral(
+                   " The search for it ended at its limit of work after %1: beyond, only the steps "
+                   "count.")
+                   .arg(unit.text(least.searched));
+    return words;
   }
   const FirstContact& first = *found_->first;
   double depth = 0, force = 0;

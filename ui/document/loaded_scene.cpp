@@ -110,6 +110,7 @@ double probe_scale(const std::filesystem::path& file, const PairSetup& setup) {
 LoadedScene open_scene(const std::filesystem::path& file, const Progress& progress) {
   const Scene scene = read_scene(file);
   require_meshes(scene);
+  require_trajectory(scene);
   return open_scene(scene, progress);
 }
 

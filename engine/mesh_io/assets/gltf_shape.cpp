@@ -68,7 +68,7 @@ class ShapeReader {
     expect_kind(file_, node, Kind::number);
     if (!(node.number >= 0 && node.number <= largest_count) ||
         node.number != std::floor(node.number))
-      refuse(node, "\"" + node.key + "\" is no count");
+      refuse(node, in_quotes(node.key) + " is no count");
     return static_cast<std::uint64_t>(node.number);
   }
   std::uint64_t whole(const JsonNode& of, const char* key, std::uint64_t otherwise) const {

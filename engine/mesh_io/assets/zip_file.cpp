@@ -9,6 +9,7 @@
 #include "engine/base/error.hpp"
 #include "engine/mesh_io/assets/asset_readers.hpp"
 #include "engine/mesh_io/assets/little_endian.hpp"
+#include "engine/text/json_checks.hpp"
 
 namespace sonde {
 namespace {
@@ -108,7 +109,7 @@ const ZipFile::Part* ZipFile::find(std::string_view name) const {
 
 std::string ZipFile::unpack(const Part& part) const {
   const auto refuse = [&](const std::string& why) {
-    return InputError::at_byte(file_, part.header, "the part \"" + part.name + "\" " + why);
+    return InputError::at_byte(file_, part.header, "the part " + in_quotes(part.name) + " " + why);
   };
   if (part.header > bytes_.size() || bytes_.size() - part.header < local_header_size)
     throw refuse("is cut off");

@@ -12,6 +12,9 @@ namespace {
 /// Units of Effort to compare two triangles at one moment.
 constexpr int work_to_look_at_triangles = 50;
 
+/// Share of the clearance: a pair that approaches it and has less than so much more has stopped.
+double arrived(PairsKeep keep) { return keep == PairsKeep::all ? 1e-4 : 0.05; }
+
 }  // namespace
 
 double safe_advance(double slack, double speed, double acceleration) {
@@ -22,11 +25,13 @@ double safe_advance(double slack, double speed, double acceleration) {
   return speed >= 0 ? (speed + root) / acceleration : 2 * slack / (root - speed);
 }
 
-PairSweep::PairSweep(const Body& a, const Body& b, const Motion& motion, double clearance)
+PairSweep::PairSweep(const Body& a, const Body& b, const Motion& motion, double clearance,
+                     PairsKeep keep)
     : a_(a),
       b_(b),
       motion_(motion),
       clearance_(clearance),
+      keep_(keep),
       start_(motion, 0),
       kept_(start_),
       end_(motion.at(1)) {
@@ -150,12 +155,12 @@ int PairSweep::advance(std::uint32_t i, std::uint32_t j, double s, Vec3& normal)
     const ClosestPoints c = look(now);
     normal = c.normal;
     // A pair nearer than the clearance at the start may slide or move away with half of its gap.
-    if (s <= 0 && c.gap < 2 * stop) stop = 0.5 * c.gap;
+    if (keep_ == PairsKeep::half_of_start && s <= 0 && c.gap < 2 * stop) stop = 0.5 * c.gap;
     const double slack = c.gap - stop - guard_;
     const Step step =
         step_along(normal, now, local, place(now.X, local), tb, radius, stop + guard_);
     // Stopped, or approaching the stop in ever smaller steps: the free part of the path ends here.
-    if (slack <= 0 || tries == 50 || (step.closing && slack < 0.05 * stop)) {
+    if (slack <= 0 || tries == 50 || (step.closing && slack < arrived(keep_) * stop)) {
       result_ = {.free_until = s, .hit = true, .triangle_a = i, .triangle_b = j};
       break;
     }

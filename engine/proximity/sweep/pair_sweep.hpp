@@ -24,10 +24,17 @@ struct Moment {
   Moment(const Motion& motion, double s) : X(motion.at(s)), velocity(motion.velocity(s)) {}
 };
 
+/// What a pair must keep that is nearer than the clearance, or not much farther, at the start.
+enum class PairsKeep {
+  half_of_start,  ///< half of its gap: it may slide or move away
+  all,            ///< all of the clearance, as everywhere: else the path ends at the start
+};
+
 /// Advances pairs of triangles along one motion and keeps the earliest stop.
 class PairSweep {
  public:
-  PairSweep(const Body& a, const Body& b, const Motion& motion, double clearance);
+  PairSweep(const Body& a, const Body& b, const Motion& motion, double clearance,
+            PairsKeep keep = PairsKeep::half_of_start);
 
   /// Advances the pair (i, j), known to be free on [0, from]. `normal`: a direction to try first
   /// (zero: none); returns the last direction found in it. Returns the work, in units of Effort.
@@ -49,6 +56,7 @@ class PairSweep {
   /// may slide or move away with half of its gap. But a small gap along one direction does not
   /// prove that the pair is so near; only the nearest distance reported at the start does.
   double floor_of(double gap) const {
+    if (keep_ == PairsKeep::all) return clearance_ + guard_;
     return std::min(clearance_, 0.5 * std::max(gap, nearest_)) + guard_;
   }
   /// m: how far a path of heights can lie below the chord between its ends. `bend` is the upward
@@ -101,6 +109,7 @@ class PairSweep {
   const Body& b_;
   const Motion& motion_;
   double clearance_;
+  PairsKeep keep_;
   double guard_;  // rounding error of a gap, m
   // m: least distance reported at the start.
   double nearest_ = std::numeric_limits<double>::infinity();

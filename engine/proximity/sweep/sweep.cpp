@@ -18,11 +18,12 @@ void copy(const Vec3& x, float (&out)[3]) {
 
 class Sweeper {
  public:
-  Sweeper(const Body& a, const Body& b, const Motion& motion, double clearance, Effort& effort)
+  Sweeper(const Body& a, const Body& b, const Motion& motion, double clearance, PairsKeep keep,
+          Effort& effort)
       : a_(a),
         b_(b),
         motion_(motion),
-        pairs_(a, b, motion, clearance),
+        pairs_(a, b, motion, clearance, keep),
         kernels_(sweep_kernels()),
         effort_(effort) {
     const Vec3 shift = pairs_.start().X * a.tree.origin - b.tree.origin;
@@ -314,12 +315,17 @@ class Sweeper {
 
 Sweep sweep(const Body& probe, const Body& fixed, const Motion& motion, double clearance,
             Effort& effort) {
-  return Sweeper(probe, fixed, motion, clearance, effort).run();
+  return Sweeper(probe, fixed, motion, clearance, PairsKeep::half_of_start, effort).run();
 }
 
 Sweep sweep(const Body& probe, const Body& fixed, const Motion& motion, double clearance) {
   Effort unlimited;
   return sweep(probe, fixed, motion, clearance, unlimited);
+}
+
+Sweep sweep_within_room(const Body& probe, const Body& fixed, const Motion& motion,
+                        double clearance, Effort& effort) {
+  return Sweeper(probe, fixed, motion, clearance, PairsKeep::all, effort).run();
 }
 
 }  // namespace sonde

@@ -33,4 +33,12 @@ Sweep sweep(const Body& probe, const Body& fixed, const Motion& motion, double c
             Effort& effort);
 Sweep sweep(const Body& probe, const Body& fixed, const Motion& motion, double clearance);
 
+/// The same for a clearance that is to hold without exception, from the start on: on [0,
+/// free_until] the bodies are apart by at least the clearance. A hit is where they are nearer than
+/// that by some 1e-4 of it more; a start that is gives free_until = 0. Only a pair of triangles
+/// whose bounds converge too slowly stops the path earlier. A clearance that the bodies nearly have
+/// over a long way takes more work than a small one.
+Sweep sweep_within_room(const Body& probe, const Body& fixed, const Motion& motion,
+                        double clearance, Effort& effort);
+
 }  // namespace sonde

@@ -8,6 +8,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/base/ordering.hpp"
+#include "engine/base/progress.hpp"
 #include "engine/body/body.hpp"
 #include "engine/geometry/rotation.hpp"
 #include "engine/haptics/coupling/coupler.hpp"
@@ -57,6 +58,22 @@ std::vector<double> rows_of(const InsertionPath& way, std::size_t steps,
       if (at > 0 && at < all) out.push_back(at);
   ordering::sort(out);
   out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+/// The least room of a table's rows, which is that of a way that is blocked.
+LeastRoom room_of(const Insertion& found) {
+  LeastRoom out;
+  for (const InsertionStep& step : found.steps) {
+    if (step.clearance.overlapping || !(step.clearance.distance < out.clearance)) continue;
+    out.clearance = step.clearance.distance;
+    out.travel = step.travel;
+    out.X_FM = step.X_FM;
+  }
+  if (!found.first) return out;
+  out.tolerance = out.clearance;
+  out.searched = found.first->travel;
+  out.complete = true;
   return out;
 }
 
@@ -113,7 +130,8 @@ std::optional<FirstContact> first_contact(const Pair& pair, const InsertionPath&
 }
 
 Insertion insertion(const Pair& pair, const InsertionPath& way, std::size_t steps,
-                    const Coupling& coupling, const Progress& progress) {
+                    const Coupling& coupling, const Progress& progress, std::int64_t work) {
+  constexpr double table = 0.7;  // of the time
   Insertion out;
   out.first = first_contact(pair, way);
   Coupling unlimited = coupling;
@@ -124,7 +142,7 @@ Insertion insertion(const Pair& pair, const InsertionPath& way, std::size_t step
   follower.reset(way.poses.front());
   const std::vector<double> rows = rows_of(way, std::max<std::size_t>(steps, 1), out.first);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    report(progress, static_cast<double>(i) / static_cast<double>(rows.size()));
+    report(progress, table * static_cast<double>(i) / static_cast<double>(rows.size()));
     InsertionStep step;
     step.travel = rows[i];
     step.X_FM = pose_at(way, pair, rows[i]);
@@ -135,6 +153,8 @@ Insertion insertion(const Pair& pair, const InsertionPath& way, std::size_t step
     step.wrench = coupler.wrench(step.held, 0);
     out.steps.push_back(step);
   }
+  out.room = room_of(out);
+  if (!out.first) out.room = least_room(pair, way, out.room, work, part_of(progress, table, 1));
   return out;
 }
 

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "engine/base/progress.hpp"
 #include "engine/haptics/coupling/coupling.hpp"
 #include "engine/queries/pair_queries.hpp"
+#include "engine/study/assembly/least_room.hpp"
 
 namespace sonde {
 
@@ -54,12 +56,19 @@ struct InsertionStep {
 struct Insertion {
   std::vector<InsertionStep> steps;
   std::optional<FirstContact> first;
+  /// Least clearance where the path is free. That of a path that is blocked is 0 but for what the
+  /// first contact and the steps leave, and is not searched for.
+  LeastRoom room;
 };
+
+/// Units of Effort: the limit of the search for the least clearance, some seconds.
+inline constexpr std::int64_t work_of_least_room = 200'000'000;
 
 /// Follows the probe along a path in `steps` steps, and more about the first contact: the interval
 /// in which the contact begins is halved until it is 1e-3 of a step. Throws InputError as
 /// first_contact does, and Cancelled.
 Insertion insertion(const Pair& pair, const InsertionPath& way, std::size_t steps,
-                    const Coupling& coupling, const Progress& progress = {});
+                    const Coupling& coupling, const Progress& progress = {},
+                    std::int64_t work = work_of_least_room);
 
 }  // namespace sonde

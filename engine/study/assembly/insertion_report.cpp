@@ -62,6 +62,31 @@ Json first_of(const std::optional<FirstContact>& first) {
           {"normal", {n.x(), n.y(), n.z()}}};
 }
 
+Json room_of(const LeastRoom& room) {
+  return {{"clearance", room.clearance},
+          {"travel", room.travel},
+          {"tolerance", room.tolerance},
+          {"searched", room.searched},
+          {"complete", room.complete}};
+}
+
+/// Of a part that was written before the least clearance was searched for: that of its rows.
+Json room_of_rows(const Json& rows) {
+  Json out{{"clearance", nullptr},
+           {"travel", nullptr},
+           {"tolerance", nullptr},
+           {"searched", 0.0},
+           {"complete", false}};
+  for (const Json& row : rows) {
+    const Json &travel = row.at(0), &clearance = row.at(8);
+    if (clearance.is_null()) continue;
+    if (!out["clearance"].is_null() && !(clearance < out["clearance"])) continue;
+    out["clearance"] = clearance;
+    out["travel"] = travel;
+  }
+  return out;
+}
+
 std::string map_row(const InsertionRequest& request, std::size_t i, const Stop& stop) {
   const InsertionMap& map = *request.map;
   const double offset = map.offset(i);
@@ -89,6 +114,8 @@ InsertionParts parts_in(const std::string& folder, const StudyFolder& study) {
       if (study.names[i] == "way") {
         part.at("steps").get<std::vector<Json>>();
         part.at("first");
+        if (!part.contains("room")) part["room"] = room_of_rows(part.at("steps"));
+        part.at("room").at("clearance");
         out.way = std::move(part);
       } else {
         part.at("offset").get<double>();
@@ -196,22 +223,26 @@ std::string map_picture(const std::vector<Json>& map, const Json& about) {
 
 /// The most important numbers.
 Json summary_of(const InsertionParts& parts, const Json& about) {
-  double least = std::numeric_limits<double>::infinity(), deepest = 0, largest = 0;
+  double deepest = 0, largest = 0;
   for (const Json& row : parts.way.at("steps")) {
-    if (!row[8].is_null()) least = std::min(least, row[8].get<double>());
     if (!row[9].is_null()) deepest = std::max(deepest, row[9].get<double>());
     largest = std::max(
         largest, Vec3(row[10].get<double>(), row[11].get<double>(), row[12].get<double>()).norm());
   }
+  const Json& room = parts.way.at("room");
   Json out{{"format", 1},
            {"travel", parts.way.at("steps").back()[0]},
            {"first_contact", parts.way.at("first")},
            {"goes_in",
             parts.way.at("first").is_null() || parts.way.at("first").at("travel").get<double>() >=
                                                    about.at("wanted").get<double>()},
-           {"least_clearance", std::isfinite(least) ? Json(least) : Json()},
+           {"least_clearance", room.at("clearance")},
            {"largest_depth", deepest},
-           {"largest_force", largest}};
+           {"largest_force", largest},
+           {"least_clearance_at", room.at("travel")},
+           {"least_clearance_tolerance", room.at("tolerance")},
+           {"least_clearance_searched", room.at("searched")},
+           {"least_clearance_complete", room.at("complete")}};
   if (!parts.map.empty()) {
     std::size_t in = 0, all = 0;
     for (const Json& row : parts.map)
@@ -238,7 +269,12 @@ std::string words_for(const Json& summary) {
            " N at the scene's gains.\n";
   }
   if (!summary.at("least_clearance").is_null())
-    out += "The least room where it is free is " + mm(summary.at("least_clearance")) + ".\n";
+    out += "The least room where it is free is " + mm(summary.at("least_clearance")) + ", at " +
+           mm(summary.at("least_clearance_at")) + ".\n";
+  if (!summary.at("least_clearance_complete").get<bool>())
+    out += "The search for it ended at its limit of work after " +
+           mm(summary.at("least_clearance_searched")) +
+           ": of what is beyond, the rows of the table count and no place between them.\n";
   if (summary.contains("map"))
     out += summary.at("map").at("goes_in").dump() + " of " + summary.at("map").at("all").dump() +
            " offsets and tilts go in (map.svg).\n";
@@ -253,7 +289,9 @@ Study plan_insertion(const InsertionRequest& request) {
                            const Insertion found =
                                insertion(request.pair, request.way, request.steps, request.coupling,
                                          [&](double) { return !(stop && stop()); });
-                           Json out{{"steps", Json::array()}, {"first", first_of(found.first)}};
+                           Json out{{"steps", Json::array()},
+                                    {"first", first_of(found.first)},
+                                    {"room", room_of(found.room)}};
                            for (const InsertionStep& step : found.steps)
                              out["steps"].push_back(row_of(step));
                            return out.dump();

@@ -11,6 +11,7 @@
 #include "engine/base/error.hpp"
 #include "engine/base/numbers.hpp"
 #include "engine/base/ordering.hpp"
+#include "engine/text/json_checks.hpp"
 #include "engine/text/number_text.hpp"
 #include "engine/text/text_file.hpp"
 
@@ -38,8 +39,8 @@ std::array<std::string, 4> fields_of(const std::string& line) {
 double number_in(const std::string& field, const char* name) {
   const auto value = parse_number(field);
   if (!value || !std::isfinite(*value) || *value < 0)
-    throw std::invalid_argument(std::string(name) + " is \"" + field.substr(0, 60) +
-                                "\", which is not a number of 0 or more");
+    throw std::invalid_argument(std::string(name) + " is " + in_quotes(field) +
+                                ", which is not a number of 0 or more");
   return *value;
 }
 

@@ -63,7 +63,7 @@ TEST(MeshFaults, off) {
       {{"# nothing\n\n", ": the file holds nothing but comments"},
        {"oft\n3 1 0\n", ":1: not an OFF file: it starts with \"oft\""},
        {"off\n3 1 0\n", ":2: the header declares 3 vertices and 1 faces, but only 0 bytes follow"},
-       {"\x01\x02junk\n", ":1: not an OFF file: it starts with \"??junk\""},
+       {"\x01\x02junk\n", ":1: not an OFF file: it starts with \"\\x01\\x02junk\""},
        {"4OFF\n3 1 0\n", ":1: the 4OFF variant of OFF is not supported"},
        {"nOFF\n3\n3 1 0\n", ":1: the nOFF variant of OFF is not supported"},
        {"SKEL\n", ":1: the SKEL variant of OFF is not supported"},

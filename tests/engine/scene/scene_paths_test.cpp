@@ -89,5 +89,40 @@ TEST(ScenePaths, a_mesh_that_is_not_there_is_told_with_the_scenes_line) {
   EXPECT_NO_THROW(require_meshes(read_scene(file)));
 }
 
+TEST(ScenePaths, so_is_a_file_of_gains_or_a_trajectory) {
+  const TempFolder folder;
+  const auto reason_of = [](const std::filesystem::path& file) -> std::string {
+    try {
+      require_trajectory(read_scene(file));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  const std::string bodies =
+      "{\"probe\": {\"mesh\": \"a.off\"},\n\"fixed\": {\"mesh\": \"b.off\"},\n";
+  const auto path = folder.write("path.json", bodies + "\"trajectory\": \"none.csv\"}");
+  EXPECT_EQ(reason_of(path), path.string() + ":3: \"trajectory\" names " +
+                                 (folder / "none.csv").string() + ": no such file");
+  const auto gains = folder.write("gains.json", bodies + "\"coupling\": \"none.json\"}");
+  EXPECT_EQ(reason_of(gains), gains.string() + ":3: \"coupling\" names " +
+                                  (folder / "none.json").string() + ": no such file");
+  folder.write("none.csv", "");
+  folder.write("none.json", "{}");
+  EXPECT_EQ(reason_of(path), "");
+  EXPECT_EQ(reason_of(gains), "");
+}
+
+TEST(ScenePaths, a_key_with_a_null_character_does_not_cut_the_reason) {
+  const TempFolder folder;
+  const auto file = folder.write("a.json", "{\"prob\\u0000e\": 1}");
+  try {
+    read_scene(file);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("unknown key \"prob\\x00e\"; the nearest"));
+  }
+}
+
 }  // namespace
 }  // namespace sonde

@@ -38,6 +38,14 @@ TEST(CsvRows, gives_every_row_below_the_header) {
               ElementsAre(ElementsAre(1, 2), ElementsAre(0.5, -1000)));
 }
 
+TEST(CsvRows, a_byte_that_is_no_text_neither_cuts_the_reason_nor_reaches_the_terminal) {
+  using namespace std::string_literals;
+  EXPECT_THAT(complaint("a,b\n1,.2\0005\n"s),
+              StartsWith("2: b is \".2\\x005\", which is not a finite number"));
+  EXPECT_THAT(complaint("a\0,b\n"s), StartsWith("1: the header is \"a\\x00,b\"; expected \"a,b\""));
+  EXPECT_THAT(complaint("a,b\n1,\x1b[2J\n"), HasSubstr("\"\\x1b[2J\""));
+}
+
 TEST(CsvRows, names_the_line_and_the_reason) {
   EXPECT_THAT(complaint("b,a\n"), StartsWith("1: the header is \"b,a\"; expected \"a,b\""));
   EXPECT_THAT(complaint("a,b\n1\n"), StartsWith("2: 1 columns; expected 2"));

@@ -17,6 +17,11 @@ TEST(Printable, what_a_terminal_would_obey_is_written_out) {
   EXPECT_EQ(printable(std::string_view("\0", 1)), "\\x00");
 }
 
+TEST(Printable, of_bytes_only_what_is_typed_as_it_is_stays) {
+  EXPECT_EQ(typeable("solid ~"), "solid ~");
+  EXPECT_EQ(typeable(std::string_view("a\0\xff\x7f", 4)), "a\\x00\\xff\\x7f");
+}
+
 /// U+009B begins a sequence as ESC [ does; U+00A0 is a space, and U+011B ends in a byte as C1 has.
 TEST(Printable, so_are_those_of_two_bytes) {
   EXPECT_EQ(printable("\xc2\x9b"

@@ -249,5 +249,44 @@ TEST(Sweep, gives_up_with_what_is_known_when_the_effort_runs_out) {
   EXPECT_GT(finished, 100);
 }
 
+// Reference: distances of all pairs of triangles at samples of the path.
+TEST(Sweep, within_room_keeps_all_of_the_clearance_from_the_start_on) {
+  std::mt19937_64 random(11);
+  int hits = 0, free = 0, at_start = 0, lazy = 0;
+  for (const test::BodyPair& pair : test::body_pairs(12))
+    for (int i = 0; i < 14; ++i) {
+      const SweepCase c = random_case(random, pair);
+      const Motion motion = c.motion();
+      const auto apart = [&](double s) {
+        return test::least_distance_of_pairs(*pair.a, *pair.b, motion.at(s));
+      };
+      const double clearance = test::uniform(random, 0.3, 1.1) * apart(0);
+      Effort effort;
+      const Sweep swept = sweep_within_room(*pair.a, *pair.b, motion, clearance, effort);
+      ASSERT_FALSE(swept.given_up);
+      const double rounding = rounding_guard(extent(*pair.a) + pair.a->mass.com.norm(),
+                                             extent(*pair.b), motion.at(0).p) +
+                              rounding_guard(0, 0, motion.at(1).p);
+      if (apart(0) < clearance - rounding) {
+        ++at_start;
+        EXPECT_TRUE(swept.hit);
+        EXPECT_EQ(swept.free_until, 0);
+        continue;
+      }
+      for (int k = 0; k <= 10; ++k)
+        ASSERT_GE(apart(swept.free_until * k / 10), clearance - rounding) << i << " " << k;
+      ++(swept.hit ? hits : free);
+      if (!swept.hit) {
+        EXPECT_EQ(swept.free_until, 1);
+      } else if (apart(swept.free_until) > clearance * (1 + 1.1e-4) + 3 * rounding) {
+        ++lazy;
+      }
+    }
+  EXPECT_LE(lazy, (hits + free) / 50);
+  EXPECT_GT(hits, 10);
+  EXPECT_GT(free, 10);
+  EXPECT_GT(at_start, 3);
+}
+
 }  // namespace
 }  // namespace sonde

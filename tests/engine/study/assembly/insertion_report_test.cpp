@@ -15,6 +15,7 @@ namespace sonde {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 using Json = nlohmann::json;
 
 /// A peg 19 mm wide over a slot 20 mm wide and 60 mm deep between two walls.
@@ -110,6 +111,44 @@ TEST(InsertionReport, tables_and_pictures_say_the_same) {
   for (const char* name : {"insert.svg", "map.svg"})
     EXPECT_THAT(text_of(files, name), HasSubstr("</svg>")) << name;
   EXPECT_THAT(text_of(files, "map.svg"), HasSubstr("goes in"));
+}
+
+// Reference: by hand. The walls are lowered to plates that no row of the table is beside.
+TEST(InsertionReport, the_least_room_is_that_between_the_rows_too) {
+  InsertionRequest request = peg_over_slot();
+  PolygonSoup plates;
+  for (const double side : {-1.0, 1.0}) {
+    const std::size_t first = plates.points.size();
+    const PolygonSoup plate = test::box({0.02, 0.2, 1e-4});
+    for (const Vec3& x : plate.points) plates.points.push_back(x + Vec3(0.0196 * side, 0, 0));
+    for (Polygon p : plate.polygons) {
+      for (std::size_t& corner : p) corner += first;
+      plates.polygons.push_back(p);
+    }
+  }
+  request.pair = Pair(test::body(test::box({0.019, 0.05, 1e-4})), test::body(plates));
+  request.way =
+      way_along(request.pair, {Quat::Identity(), Vec3(0, 0, 0.0263)}, -Vec3::UnitZ(), 0.05, 0);
+  request.map.reset();
+  StudyFolder study = compute_at_once(plan_insertion(request), 1, {});
+  auto files = insertion_files("", study);
+  Json summary = Json::parse(text_of(files, "summary.json"));
+  EXPECT_NEAR(summary.at("least_clearance").get<double>(), 1e-4, 1e-7);
+  EXPECT_NEAR(summary.at("least_clearance_at").get<double>(), 0.0263, 1e-4);
+  EXPECT_NEAR(summary.at("least_clearance_tolerance").get<double>(), 1e-7, 1e-9);
+  EXPECT_EQ(summary.at("least_clearance_searched"), 0.05);
+  EXPECT_TRUE(summary.at("least_clearance_complete").get<bool>());
+  EXPECT_THAT(text_of(files, "summary.md"), HasSubstr("The least room where it is free is 0.1"));
+  EXPECT_THAT(text_of(files, "summary.md"), Not(HasSubstr("limit")));
+  // A part of before the search, or one whose search was ended, says what counts.
+  Json part = Json::parse(*study.results[0]);
+  part.erase("room");
+  study.results[0] = part.dump();
+  files = insertion_files("", study);
+  summary = Json::parse(text_of(files, "summary.json"));
+  EXPECT_GT(summary.at("least_clearance").get<double>(), 5e-4);
+  EXPECT_FALSE(summary.at("least_clearance_complete").get<bool>());
+  EXPECT_THAT(text_of(files, "summary.md"), HasSubstr("ended at its limit of work after 0 mm"));
 }
 
 TEST(InsertionReport, a_folder_that_is_not_whole_is_refused) {
