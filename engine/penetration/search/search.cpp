@@ -2,6 +2,7 @@
 #include "engine/penetration/search/search.hpp"
 
 #include <cmath>
+#include <tuple>
 #include <vector>
 
 #include "engine/penetration/descent/result.hpp"
@@ -45,7 +46,7 @@ Separation Search::run() {
   if (!rotates() && !evidence_.is_conclusive()) starts_outside(per_round);
   if (rotates() && (optima_.empty() || budget_.counts_steps())) translation_on_the_way();
   if (optima_.empty()) return failed(chart_.device(), "no free pose was found");
-  if (rotates() && evidence_.may_be_deep())
+  if (evidence_.may_be_deep())
     pushed_rounds();
   else
     random_rounds();
@@ -284,11 +285,15 @@ void Search::pushed_rounds() {
     return std::max(static_cast<int>(more * starts), int{per_round});
   };
   const int limit = scaled(options_.starts);
-  int most = std::min(scaled(tuned_.most_after_sketches), limit), start = 0;
+  const int usual = rotates() ? tuned_.most_after_sketches : tuned_.most_translations_pushed;
+  int most = std::min(scaled(usual), limit), start = 0;
   for (; start < most && !is_over(); start += int{per_round}) {
     const double before = optima_.best();
     round([&](std::size_t k, std::size_t lane) {
       Random random = stream(3000 + static_cast<std::uint64_t>(start) + k);
+      if (!rotates())
+        return starts_.push_least_overlap_apart(tuned_.farthest_overlap * optima_.best(), random,
+                                                aim(options_.method), lane);
       const double radius =
           random.uniform(tuned_.same_place, tuned_.farthest_overlap) * optima_.best();
       if (k % 2 == 0)
@@ -356,18 +361,39 @@ std::optional<double> Search::add_translation() {
   return std::max(out.depth, best->depth);  // equal up to rounding where no turn helps
 }
 
+namespace {
+
+/// True of a pair at a pose or of its exchange, as the bodies decide, or the pose if they are alike.
+bool is_in_order(const Pair& pair, const Pose& device) {
+  const auto key = [](const Body& body, const Vec3& p) {
+    return std::tuple(surface(body).triangles.size(), body.mass.measure, body.mass.radius, p.x(),
+                      p.y(), p.z());
+  };
+  return key(pair.probe(), device.p) <= key(pair.fixed(), inverse(device).p);
+}
+
+}  // namespace
+
 Translated translated_both_ways(const Pair& pair, const Pose& device, const StaticOptions& options,
                                 const SearchTuning& tuning, const Progress& progress) {
-  Search there(pair, device, options, tuning, {}, progress);
-  Separation found = there.run();
-  if (found.status != Status::penetrating) return {found, there.sketches_made()};
   const Pair exchanged = pair.exchanged();
+  Search there(pair, device, options, tuning, {}, progress);
   Search back(exchanged, inverse(device), options, tuning, {}, progress);
-  back.know(inverse(found.separated));
-  const Separation other = back.run();
-  if (other.status == Status::penetrating && other.depth < (1 - 1e-9) * found.depth) {
-    there.know(inverse(other.separated));
-    found = there.again();
+  Separation found, other;
+  if (is_in_order(pair, device)) {
+    found = there.run();
+    if (found.status != Status::penetrating) return {found, there.sketches_made()};
+    back.know(inverse(found.separated));
+    other = back.run();
+    if (other.status == Status::penetrating && other.depth < (1 - 1e-9) * found.depth) {
+      there.know(inverse(other.separated));
+      found = there.again();
+    }
+  } else {
+    other = back.run();
+    if (other.status == Status::penetrating) there.know(inverse(other.separated));
+    found = there.run();
+    if (found.status != Status::penetrating) return {found, there.sketches_made()};
   }
   found.iterations += other.iterations;
   found.limited += other.limited;

@@ -107,7 +107,7 @@ struct SearchTuning {
   /// evidence is conclusive and the best depth is no larger than this, it needs no pushes, since no
   /// separating motion is much shorter than the depth of that point. (With 1.5, with 2.5, and with
   /// pushes on every pose, 241 of the 244 poses are within 1 %; the median is 15.3, 13.9 and 18.3
-  /// ms, measured beside other work.) If the best depth is larger, the random starts of PD_g are
+  /// ms, measured beside other work.) If the best depth is larger, the random starts are
   /// overlaps too. (With 1e9 none are: of the 160 poses of deep_tuning.csv, 147 are then within
   /// 1 % instead of 155.) If the factor is larger, a separating motion through a narrow gap may be
   /// missed.
@@ -121,10 +121,16 @@ struct SearchTuning {
   /// Maximum number of random starts after the starts on sketches. On depths.csv, 16, 32, 64 and
   /// 160 of them leave the same poses of three seeds over 1 % too deep; with the bodies moved, 32
   /// lose two poses more than 64, one by 22 %. Without sketches, StaticOptions::starts is the
-  /// limit. If overlaps are pushed apart instead (see `narrow`): with 32, 64, 128 and 256 of them
-  /// 287, 306, 310 and 314 of 320 searches on deep_tuning.csv are within 1 %, in medians of 61, 77,
-  /// 103 and 175 ms.
+  /// limit. If overlaps are pushed apart instead (see `narrow`) for PD_g: with 32, 64, 128 and 256
+  /// of them 287, 306, 310 and 314 of 320 searches on deep_tuning.csv are within 1 %, in medians of
+  /// 61, 77, 103 and 175 ms.
   int most_after_sketches = 128;
+  /// The same for PD_t, in each of its two searches, and the number of random overlaps of which one
+  /// is pushed apart. (Of 112 boxes, cups, bottles and tubes at cavities, 21 are over 1 % too deep
+  /// without any, 8 with 64 pushes of any overlap, and 6, 4 and 3 with 16, 32 and 64 of the least
+  /// of 16.)
+  int most_translations_pushed = 16;
+  int overlaps_compared = 16;
   /// Grid cells: a random pose at which the sketches overlap more deeply is rejected without a test
   /// of the bodies. If it is lower, free poses are rejected where the sketches are wrong.
   double plainly_deep = 0.3;

@@ -132,6 +132,18 @@ LocalOptimum Starts::push_apart_within(double radius, Random& random, const Aim&
   return push_apart_and_descend(lanes_[lane].sample(random, radius, aim.method), aim, lane);
 }
 
+LocalOptimum Starts::push_least_overlap_apart(double radius, Random& random, const Aim& aim,
+                                              std::size_t lane) {
+  Vec6 best = Vec6::Zero();
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < tuned_.overlaps_compared; ++i) {
+    const Vec6 y = lanes_[lane].sample(random, radius, Method::pdt);
+    if (const double depth = sketch_descents_[lane].depth_of_points(chart_, y); depth < least)
+      least = depth, best = y;
+  }
+  return push_apart_and_descend(best, aim, lane);
+}
+
 std::optional<Vec6> Starts::fitted(Random& random, double farthest, std::size_t lane) {
   const MassProperties &probe = probe_.mass, &fixed = fixed_.mass;
   const Pose& device = chart_.device();

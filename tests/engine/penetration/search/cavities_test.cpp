@@ -21,8 +21,8 @@ struct Hollow {
   Vec3 outer, inner;
 };
 PolygonSoup surfaces_of(const Hollow& hollow) {
-  PolygonSoup out = test::box(hollow.outer);
-  const PolygonSoup cavity = test::box(hollow.inner);
+  PolygonSoup out = test::box(2 * hollow.outer);
+  const PolygonSoup cavity = test::box(2 * hollow.inner);
   const std::size_t first = out.points.size();
   out.points.insert(out.points.end(), cavity.points.begin(), cavity.points.end());
   for (auto polygon : cavity.polygons) {
@@ -69,12 +69,12 @@ TEST(Cavities, a_box_finds_its_way_into_a_hollow_one) {
   const std::array<Hollow, 3> all{{{{0.6, 0.8, 1.1}, {0.51, 0.71, 1.01}},
                                    {{0.5, 0.5, 0.5}, {0.38, 0.43, 0.35}},
                                    {{0.02, 0.06, 0.05}, {0.015, 0.055, 0.045}}}};
-  const std::array<Vec3, 3> probes{{{0.2, 0.25, 0.4}, {0.2, 0.15, 0.1}, {0.006, 0.02, 0.012}}};
+  const std::array<Vec3, 3> probes{{{0.28, 0.26, 0.3}, {0.2, 0.2, 0.2}, {0.008, 0.009, 0.0085}}};
   int searched = 0, right = 0, into = 0;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Hollow& hollow = all[k];
     const Vec3& h = probes[k];
-    const Pair pair(test::body(test::box(h)), test::body(surfaces_of(hollow)));
+    const Pair pair(test::body(test::box(2 * h)), test::body(surfaces_of(hollow)));
     ASSERT_TRUE(pair.probe().solid && pair.fixed().solid);
     for (int i = 0; i < 30; ++i) {
       const Quat q = test::random_rotation(random);
