@@ -363,7 +363,8 @@ std::optional<double> Search::add_translation() {
 
 namespace {
 
-/// True of a pair at a pose or of its exchange, as the bodies decide, or the pose if they are alike.
+/// True of a pair at a pose or of its exchange, as the bodies decide, or the pose if they are
+/// alike.
 bool is_in_order(const Pair& pair, const Pose& device) {
   const auto key = [](const Body& body, const Vec3& p) {
     return std::tuple(surface(body).triangles.size(), body.mass.measure, body.mass.radius, p.x(),

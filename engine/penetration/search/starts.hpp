@@ -51,9 +51,9 @@ class Starts {
   LocalOptimum push_apart_and_descend(const Vec6& y, const Aim& aim, std::size_t lane);
   /// As push_apart_and_descend(), from a random overlap within `radius`, m.
   LocalOptimum push_apart_within(double radius, Random& random, const Aim& aim, std::size_t lane);
-  /// The same from a translation: of some random ones within `radius`, m, that at which the sketches
-  /// overlap least. Most of these lie in a cavity, or beside one, if there is any: elsewhere within
-  /// the best depth there is no room. Requires sketches.
+  /// The same from a translation: of some random ones within `radius`, m, that at which the
+  /// sketches overlap least. Most of these lie in a cavity, or beside one, if there is any:
+  /// elsewhere within the best depth there is no room. Requires sketches.
   LocalOptimum push_least_overlap_apart(double radius, Random& random, const Aim& aim,
                                         std::size_t lane);
   /// y of an overlap in which a principal axis of the probe lies along one of the fixed body, and

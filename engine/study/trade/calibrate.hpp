@@ -21,8 +21,8 @@ CalibrationSeries calibrate_searches(const Pair& pair, const std::string& name, 
 
 /// How much deeper a tick's answer is than the one without a limit, over the largest depth of the
 /// path. A limit may also lead to another side of a sheet, where the way out is shorter: that is no
-/// error. Infinite if one of the two failed: a failed reference confirms nothing, not even an answer
-/// that fails too.
+/// error. Infinite if one of the two failed: a failed reference confirms nothing, not even an
+/// answer that fails too.
 double tick_error(double got, double wanted, double deepest);
 
 /// The same for the ticks along a path, with limits from 0.05 to 1.6 ms and none.

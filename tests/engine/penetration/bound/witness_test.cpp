@@ -106,7 +106,8 @@ TEST(DeepPoints, are_found_where_only_edges_cross) {
     const Pose O{across * on_edge, Vec3(0.013, 0.021, 0.1 * std::sqrt(2.0) - d)};
     const CommonDepth depth(*bar, *fixed, O);
     double deepest = 0;
-    for (const CommonPoint& s : deep_points(depth, 20'000, {})) deepest = std::max(deepest, s.depth());
+    for (const CommonPoint& s : deep_points(depth, 20'000, {}))
+      deepest = std::max(deepest, s.depth());
     EXPECT_LE(deepest, d / std::sqrt(2.0));
     EXPECT_GE(deepest, 0.6 * d / std::sqrt(2.0)) << d;
   }
