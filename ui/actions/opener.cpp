@@ -3,6 +3,7 @@
 
 #include <vtkPolyData.h>
 
+#include <QDir>
 #include <QFileInfo>
 #include <memory>
 #include <stdexcept>
@@ -11,6 +12,7 @@
 #include "engine/base/error.hpp"
 #include "engine/mesh_io/read_mesh.hpp"
 #include "engine/scene/write_scene.hpp"
+#include "ui/actions/meshes_dialog.hpp"
 #include "ui/base/absolute_path.hpp"
 #include "ui/document/paths_asked_for.hpp"
 
@@ -30,11 +32,20 @@ LoadedScene nameable(LoadedScene opened) {
   return opened;
 }
 
+bool is_mesh(const QString& file) {
+  const QString patterns = mesh_filter().section(QLatin1Char('('), 1).chopped(1);
+  return QDir::match(patterns.split(QLatin1Char(' ')), QFileInfo(file).fileName());
+}
+
 }  // namespace
 
 Opener::Opener(QWidget& window, Prompts& prompts) : prompts_(prompts), job_(&window) {}
 
 void Opener::open_scene(const QString& file) {
+  if (is_mesh(file))
+    return refuse(QStringLiteral("%1 is a mesh, not a scene. Open two meshes (Ctrl+M): the probe "
+                                 "first, then the fixed body.")
+                      .arg(QDir::toNativeSeparators(file)));
   const auto scene = absolute_path(file);
   make_asking(
       QStringLiteral("Opening %1").arg(QFileInfo(file).fileName()), file,

@@ -30,6 +30,15 @@ QString large(const QString& text) {
   return QStringLiteral("<span style='font-size:20pt; font-weight:bold'>%1</span>").arg(text);
 }
 
+/// Small ones in thousandths: with all their decimals three numbers are wider than the dock.
+void show_components(QLabel& value, const QString& unit, const Vec3& x) {
+  const bool small = x.norm() > 0 && x.norm() < 0.1;
+  value.setText(components_text(small ? Vec3(1000 * x) : x));
+  auto* form = static_cast<QFormLayout*>(value.parentWidget()->layout());
+  static_cast<QLabel*>(form->labelForField(&value))
+      ->setText(QStringLiteral("x, y, z, ") + (small ? QStringLiteral("m") : QString()) + unit);
+}
+
 QFormLayout* form_in(QVBoxLayout& layout, QWidget* group) {
   auto* form = new QFormLayout(group);
   form->setContentsMargins(0, 4, 0, 0);
@@ -287,8 +296,8 @@ void ReadoutPanel::show_wrench(const Snapshot& snapshot) {
                               force_lessened(wrench, hand, snapshot.coupling)));
   torque_->setText(with_reason(number(torque) + QStringLiteral(" N·m"),
                                torque_lessened(wrench, hand, snapshot.coupling)));
-  force_parts_->setText(components_text(wrench.force));
-  torque_parts_->setText(components_text(wrench.torque));
+  show_components(*force_parts_, QStringLiteral("N"), wrench.force);
+  show_components(*torque_parts_, QStringLiteral("N·m"), wrench.torque);
   force_bar_->set({{force / coupling_.max_force, colour::force}});
   torque_bar_->set({{torque / coupling_.max_torque, colour::torque}});
 }

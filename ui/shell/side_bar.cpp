@@ -52,6 +52,10 @@ int width_of(const QDockWidget& dock) {
          scroll->verticalScrollBar()->sizeHint().width();
 }
 
+bool is_beside(Qt::DockWidgetArea area) {
+  return area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea;
+}
+
 }  // namespace
 
 SideBar::SideBar(Qt::ToolBarArea side, const QString& title, const char* object, QWidget* window)
@@ -76,8 +80,9 @@ void SideBar::add(QDockWidget& dock) {
   connect(dock.toggleViewAction(), &QAction::toggled, this, [this, &dock](bool open) {
     if (open)
       on_opened(dock);
-    else if (!dock.isFloating() && dock.width() > 1)
-      width_ = dock.width();
+    else if (const auto* in = qobject_cast<QMainWindow*>(parentWidget());
+             in && is_beside(in->dockWidgetArea(&dock)) && !dock.isFloating() && dock.width() > 1)
+      width_ = dock.width();  // one below the view is as wide as that
   });
   addWidget(tab);
   docks_.push_back(&dock);
@@ -98,9 +103,6 @@ void SideBar::on_opened(QDockWidget& opened) {
     if (other != &opened && !other->isFloating() && !other->isHidden() &&
         window->dockWidgetArea(other) == area)
       other->hide();
-  const auto is_beside = [](Qt::DockWidgetArea a) {
-    return a == Qt::LeftDockWidgetArea || a == Qt::RightDockWidgetArea;
-  };
   if (!is_beside(area) || held_) return;
   // What is open at the other side keeps its width.
   QList<QDockWidget*> docks{&opened};

@@ -186,7 +186,7 @@ TEST(MeshScanner, a_refusal_names_file_line_and_word) {
   const std::string what = refusal_by([&] { scan.refuse("why"); });
   EXPECT_THAT(what, testing::StartsWith(scanned_file));
   EXPECT_THAT(what, testing::HasSubstr(":3: why"));
-  EXPECT_EQ(shown("a\tb\x80"), "\"a?b?\"");
+  EXPECT_EQ(shown("a\tb\x80"), "\"a\\x09b\\x80\"");
   EXPECT_EQ(shown(std::string(41, 'x')), "\"" + std::string(40, 'x') + "...\"");
   EXPECT_EQ(shown(std::string(40, 'x')), "\"" + std::string(40, 'x') + "\"");
 }

@@ -113,6 +113,14 @@ TEST_F(OpenerTest, files_are_one_scene_or_two_meshes) {
   EXPECT_EQ(failed.size(), 3);
 }
 
+TEST_F(OpenerTest, a_mesh_that_is_taken_for_a_scene_is_told_how_to_open_it) {
+  opener->open_scene(path("probe.off"));
+  ASSERT_EQ(complaints.size(), 1);
+  EXPECT_TRUE(complaints[0].contains("probe.off is a mesh")) << complaints[0].toStdString();
+  EXPECT_TRUE(complaints[0].contains("Open two meshes"));
+  EXPECT_EQ(failed, complaints);
+}
+
 TEST_F(OpenerTest, two_meshes_are_asked_about_once_both_are_read) {
   unit = 1e-3;
   opener->open_files({path("probe.off"), path("fixed.off")}, {});

@@ -120,6 +120,7 @@ TEST_F(ReadoutPanelTest, a_force_has_its_size_its_parts_and_why_it_is_less) {
   EXPECT_EQ(text("force_value"), "5.00 N");
   EXPECT_EQ(text("force_parts_value"), "3.00, -4.00, 0");
   EXPECT_EQ(text("torque_value"), "0.0500 N·m");
+  EXPECT_EQ(text("torque_parts_value"), "0, 0, 50.0") << "in mN·m: narrower";
   snapshot.coupling.max_force = 5;
   panel->show_numbers({snapshot, {}});
   EXPECT_EQ(text("force_value"), "5.00 N (limit)");

@@ -101,6 +101,21 @@ TEST_F(SideBarTest, the_next_dock_is_as_wide_as_the_one_before_and_the_other_sid
   EXPECT_EQ(right->width(), 350);
 }
 
+TEST_F(SideBarTest, a_dock_below_the_view_does_not_make_the_next_one_at_a_side_as_wide) {
+  QDockWidget* below = add("below", Qt::BottomDockWidgetArea);
+  bar->add(*below);
+  bar->hold_widths(false);
+  window.resizeDocks({first, right}, {310, 350}, Qt::Horizontal);
+  ASSERT_TRUE(wait_until([&] { return first->width() == 310 && below->width() > 400; }));
+  click("first");
+  ASSERT_TRUE(wait_until([&] { return first->isHidden(); }));
+  click("below");
+  ASSERT_TRUE(wait_until([&] { return below->isHidden(); }));
+  click("first");
+  EXPECT_TRUE(wait_until([&] { return first->isVisible() && first->width() == 310; }))
+      << first->width();
+}
+
 /// What the user sees while the keyboard is elsewhere.
 TEST_F(SideBarTest, a_click_leaves_the_keyboard_where_it_is) {
   window.activateWindow();
