@@ -112,11 +112,13 @@ Vec6 PushApart::compromise() {
 
 std::optional<Vec6> PushApart::from(const Chart& chart, const Vec6& start, double farthest,
                                     const Deadline& deadline) {
-  const double margin = push_apart_tuning.margin * chart.mass().radius;
+  double margin = push_apart_tuning.margin * chart.mass().radius;
   Vec6 y = start;
   int returns = 0;
   for (int looks = 0; looks < push_apart_tuning.most_looks && !deadline.passed(); ++looks) {
     if (is_free(chart, y)) return y;
+    // In a fit with less room, triangles on both sides contradict each other.
+    if (2 * looks > push_apart_tuning.most_looks) margin *= push_apart_tuning.less_margin;
     gather(chart, y, margin);
     if (rows_.empty()) return std::nullopt;  // one body is inside the other
     Vec6 step = compromise();
