@@ -148,7 +148,7 @@ TEST_F(Program, a_bad_file_to_look_at_leaves_a_window_that_says_why) {
   folder.write("broken.stl", "PK\x03\x04 is no mesh");
   const std::string command =
       "cd '" + folder.path().string() +
-      "' && { XDG_CONFIG_HOME=. timeout 60 '" SONDE_VIEW_PROGRAM
+      "' && { XDG_CONFIG_HOME=. XDG_DATA_HOME=. XDG_CACHE_HOME=. timeout 60 '" SONDE_VIEW_PROGRAM
       "' broken.stl >out 2>err & p=$!; for i in $(seq 500); do grep -q broken.stl err && break; "
       "sleep 0.1; done; sleep 1; kill -0 $p 2>/dev/null && echo yes >alive; kill $p; wait $p; }";
   ASSERT_NE(std::system(command.c_str()), -1);
