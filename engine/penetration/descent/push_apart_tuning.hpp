@@ -26,9 +26,10 @@ struct PushApartTuning {
   double returns_to = 0.9;  ///< share of the ball's radius
   double margin = 2e-4;     ///< distance to which triangles are separated
   /// In a fit with less room than that on both sides, rows contradict each other. So in the second
-  /// half of the looks, each look has this factor on the margin: fits down to 1e-10 R are found. (A
-  /// square peg with 1 µm of room that was 11 µm aside was answered 39 mm deep instead of 10 µm. Of
-  /// the 244 and 160 poses of depths.csv and deep_tuning.csv as many as before are within 1 %.)
+  /// half of the looks, each look has this factor on the margin: fits with a room of 1e-6 R are
+  /// found. (A square peg with 1 µm of room that was 11 µm aside was answered 39 mm deep instead of
+  /// 10 µm. Of the 244 and 160 poses of depths.csv and deep_tuning.csv as many as before are within
+  /// 1 %.)
   double less_margin = 0.5;
   /// Cosine between the outward normal of a solid's face and a separating direction: a direction
   /// that points inwards by no more than this is still allowed, because a direction in the plane of

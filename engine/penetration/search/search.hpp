@@ -190,16 +190,4 @@ class Search {
   int other_sketches_ = 0;  // starts on sketches in searches for translations
 };
 
-/// The result of a PD_t search without a limit, and its number of descents on sketches. A
-/// translation that frees the probe, reversed, frees the fixed body if that moves instead. So both
-/// problems are searched, each with its own starts, and the shorter result counts. Which is
-/// searched first does not depend on which body is the probe. Thus PD_t mostly does not change if
-/// the bodies are exchanged.
-struct Translated {
-  Separation found;
-  int sketches = 0;
-};
-Translated translated_both_ways(const Pair& pair, const Pose& device, const StaticOptions& options,
-                                const SearchTuning& tuning, const Progress& progress);
-
 }  // namespace sonde

@@ -127,7 +127,7 @@ struct SearchTuning {
   int most_after_sketches = 128;
   /// The same for PD_t, in each of its two searches, and the number of random overlaps of which one
   /// is pushed apart. (Of 112 boxes, cups, bottles and tubes at cavities, 21 are over 1 % too deep
-  /// without any, 8 with 64 pushes of any overlap, and 6, 4 and 3 with 16, 32 and 64 of the least
+  /// without any, 8 with 64 pushes of any overlap, and 6, 3 and 3 with 16, 32 and 64 of the least
   /// of 16.)
   int most_translations_pushed = 16;
   int overlaps_compared = 16;

@@ -12,6 +12,7 @@
 #include "engine/penetration/search/search.hpp"
 #include "engine/penetration/search/search_tuning.hpp"
 #include "engine/penetration/search/touching.hpp"
+#include "engine/penetration/search/translated_both_ways.hpp"
 #include "engine/penetration/search/trivial_separation.hpp"
 
 namespace sonde {

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/search/translated_both_ways.hpp"
+
+#include <tuple>
+
+#include "engine/penetration/search/search.hpp"
+
+namespace sonde {
+namespace {
+
+/// True of a pair at a pose or of its exchange, as the bodies decide, or the pose if they are
+/// alike.
+bool is_in_order(const Pair& pair, const Pose& device) {
+  const auto key = [](const Body& body, const Vec3& p) {
+    return std::tuple(surface(body).triangles.size(), body.mass.measure, body.mass.radius, p.x(),
+                      p.y(), p.z());
+  };
+  return key(pair.probe(), device.p) <= key(pair.fixed(), inverse(device).p);
+}
+
+}  // namespace
+
+Translated translated_both_ways(const Pair& pair, const Pose& device, const StaticOptions& options,
+                                const SearchTuning& tuning, const Progress& progress) {
+  const Pair exchanged = pair.exchanged();
+  Search there(pair, device, options, tuning, {}, progress);
+  Search back(exchanged, inverse(device), options, tuning, {}, progress);
+  Separation found, other;
+  if (is_in_order(pair, device)) {
+    found = there.run();
+    if (found.status != Status::penetrating) return {found, there.sketches_made()};
+    back.know(inverse(found.separated));
+    other = back.run();
+    if (other.status == Status::penetrating && other.depth < (1 - 1e-9) * found.depth) {
+      there.know(inverse(other.separated));
+      found = there.again();
+    }
+  } else {
+    other = back.run();
+    if (other.status == Status::penetrating) there.know(inverse(other.separated));
+    found = there.run();
+    if (found.status != Status::penetrating) return {found, there.sketches_made()};
+  }
+  found.iterations += other.iterations;
+  found.limited += other.limited;
+  found.phases += other.phases;
+  return {found, there.sketches_made() + back.sketches_made()};
+}
+
+}  // namespace sonde

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/search/translated_both_ways.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/support/shapes.hpp"
+
+namespace sonde {
+namespace {
+
+// Reference: a way out of one body, reversed, is a way out of the other.
+TEST(TranslatedBothWays, exchanged_bodies_have_the_same_depth_and_the_reverse_way) {
+  std::mt19937_64 random(5);
+  const Pair knots(test::body(test::torus_knot(2, 3, 0.06, 0.025, 0.012, 60, 8)),
+                   test::body(test::torus(0.07, 0.02, 30, 12)));
+  const Pair alike(test::body(test::torus(0.07, 0.02, 24, 10)),
+                   test::body(test::torus(0.07, 0.02, 24, 10)));
+  const StaticOptions options{.method = Method::pdt, .want_lower_bound = false};
+  int compared = 0;
+  for (const Pair* pair : {&knots, &alike})
+    for (int i = 0; i < 8; ++i) {
+      const Pose X{test::random_rotation(random), test::random_in_ball(random, 0.05)};
+      const Separation one = translated_both_ways(*pair, X, options, search_tuning, {}).found;
+      const Separation other =
+          translated_both_ways(pair->exchanged(), inverse(X), options, search_tuning, {}).found;
+      ASSERT_EQ(one.status, other.status) << i;
+      if (one.status != Status::penetrating) continue;
+      ++compared;
+      EXPECT_NEAR(one.depth, other.depth, 1e-3 * one.depth) << i;
+    }
+  EXPECT_GE(compared, 12);
+}
+
+// Reference: a cube on a plate's side goes out by its overlap.
+TEST(TranslatedBothWays, a_box_goes_out_of_a_plate_by_the_side_it_is_near) {
+  const Pair pair(test::body(test::box({0.1, 0.1, 0.1})), test::body(test::box({1, 1, 0.2})));
+  const StaticOptions options{.method = Method::pdt, .want_lower_bound = false};
+  const auto [found, sketches] = translated_both_ways(pair, {Quat::Identity(), {0.01, 0.02, 0.13}},
+                                                      options, search_tuning, {});
+  ASSERT_EQ(found.status, Status::penetrating);
+  EXPECT_NEAR(found.depth, 0.02, 1e-5);
+  EXPECT_GT(sketches, 0);
+}
+
+}  // namespace
+}  // namespace sonde
