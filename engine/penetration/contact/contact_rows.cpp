@@ -159,13 +159,15 @@ NearPairs ContactRows::find_pairs(const Transform& X, double reach, double least
   return near;
 }
 
-void ContactRows::prepare_next_list(Effort& effort) noexcept {
+void ContactRows::prepare_next_list(double moved, Effort& effort) noexcept {
   if (!gathered_) return;
   const PhaseTimer timer(times_, Phase::look);
   const double reach = std::max(least_asked_, contact_tuning.least_share_of_reach * asked_);
   const Vec3 centre = least_moving_point(X_);
-  lists_.prepare_next_list(
-      X_, {reach, near_of(reach), reach, centre, {lists_.recent_course(X_, centre), {}}}, effort);
+  const Course recent = lists_.recent_course(X_, centre);
+  const double size = recent.size().of(probe_.mass.radius);
+  const Course course = size > moved ? moved / size * recent : recent;
+  lists_.prepare_next_list(X_, {reach, near_of(reach), reach, centre, {course, {}}}, effort);
 }
 
 bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double flat,

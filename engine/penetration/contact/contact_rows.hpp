@@ -89,7 +89,9 @@ class ContactRows {
   Sweep sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept;
 
   /// Works on the next neighbour list with the part of a limited effort that the tick has not used.
-  void prepare_next_list(Effort& effort) noexcept;
+  /// The list is for ticks in which the device moves by `moved` (m), as in this one: a probe that
+  /// catches up takes longer paths, and a list for many of these would take longer than they do.
+  void prepare_next_list(double moved, Effort& effort) noexcept;
 
   /// Result of add_cuts() at the end of a path.
   struct PathCheck {

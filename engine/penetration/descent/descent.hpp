@@ -80,7 +80,10 @@ class Descent {
               Effort& effort) noexcept;
 
   /// Works on the next neighbour list with the part of a limited effort that a run has not used.
-  void prepare_next_list(Effort& effort) noexcept { rows_.prepare_next_list(effort); }
+  /// `moved`: m, by which the device moved in this tick.
+  void prepare_next_list(double moved, Effort& effort) noexcept {
+    rows_.prepare_next_list(moved, effort);
+  }
 
   /// Translation only: the y at which the probe comes to rest after it has turned with the device,
   /// according to the rows from the end of the last run. No value if y is not the pose at which the

@@ -254,7 +254,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
     const bool fell_too_far = !was_limited && effort.is_limited() && !found.converged;
     s.behind = s.behind || fell_too_far;
     found.limited += fell_too_far;
-    s.descent.prepare_next_list(effort);
+    s.descent.prepare_next_list(farthest_move(s.probe.mass, s.device, device), effort);
   } else {
     found.move_to(from);
     found.limited = 1;
