@@ -38,6 +38,8 @@ class PushApart {
   bool is_free(const Chart& chart, const Vec6& y) const;
   /// Makes rows of the pairs that intersect at y, or nearly do.
   void gather(const Chart& chart, const Vec6& y, double margin);
+  /// Limits what a row asks for, compared with the others.
+  void shorten_long_ways();
   /// A step that satisfies the rows about evenly.
   Vec6 compromise();
 
@@ -47,6 +49,7 @@ class PushApart {
   PhaseTimes* times_ = nullptr;
   std::vector<Violation> found_;
   std::vector<Row> rows_;
+  std::vector<double> ways_;  // m: what each row asks for
 };
 
 }  // namespace sonde

@@ -29,12 +29,16 @@ bool Evidence::sketches_see() const {
   return optima_.best() < rules_.tuned.blind * sketches_.ends().front().depth + sketch_error();
 }
 
-bool Evidence::may_be_narrow() const { return !is_conclusive() || may_be_deep(); }
+bool Evidence::may_be_narrow() const {
+  return !is_conclusive() || exceeds(optima_.best(), rules_.tuned.narrow_for_pushes);
+}
 
-bool Evidence::is_far_out(double depth) const {
+bool Evidence::is_far_out(double depth) const { return exceeds(depth, rules_.tuned.narrow); }
+
+bool Evidence::exceeds(double depth, double times) const {
   if (descents_.empty()) return false;
   const double deepest = descents_[0].depth_of_points(chart_, Vec6::Zero());
-  return deepest > 0 && depth > rules_.tuned.narrow * deepest;
+  return deepest > 0 && depth > times * deepest;
 }
 
 }  // namespace sonde

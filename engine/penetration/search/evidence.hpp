@@ -29,7 +29,8 @@ class Evidence {
   /// depth found on the sketches.
   bool sketches_see() const;
   /// Whether a shorter separating motion may exist through a gap too narrow for the sketches to
-  /// resolve: the evidence is not conclusive, or may_be_deep(). Requires sketches.
+  /// resolve: the evidence is not conclusive, or the best one is rather long compared with the
+  /// overlap. Requires sketches.
   bool may_be_narrow() const;
   /// Whether the best separating motion found is long compared with the overlap. The number of
   /// agreeing starts does not count here: agreement shows that many starts reach a separating
@@ -44,6 +45,9 @@ class Evidence {
 
  private:
   int agreeing() const;
+  /// Whether a separating motion of this length, m, exceeds so many times the depth of the deepest
+  /// sketch point.
+  bool exceeds(double depth, double times) const;
   bool sketches_are_clear() const;
 
   const Chart& chart_;

@@ -61,6 +61,7 @@ constexpr Named all[] = {
     {"blind", [](SearchTuning& t) -> Number { return &t.blind; }},
     {"pushes", [](SearchTuning& t) -> Number { return &t.pushes; }},
     {"narrow", [](SearchTuning& t) -> Number { return &t.narrow; }},
+    {"narrow_for_pushes", [](SearchTuning& t) -> Number { return &t.narrow_for_pushes; }},
     {"farthest_push", [](SearchTuning& t) -> Number { return &t.farthest_push; }},
     {"given_up_at", [](SearchTuning& t) -> Number { return &t.given_up_at; }},
     {"most_after_sketches", [](SearchTuning& t) -> Number { return &t.most_after_sketches; }},

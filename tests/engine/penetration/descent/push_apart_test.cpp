@@ -77,6 +77,30 @@ TEST(PushApart, what_is_pushed_out_of_the_ball_comes_back_and_finds_the_fit) {
   EXPECT_GE(freed, 20);
 }
 
+// References: exact predicates, and the pose in the fit. The walls are two triangles each, and
+// where these cross at an edge, the way out that the edge allows may be as long as the plug.
+TEST(PushApart, large_triangles_do_not_push_a_plug_out_lengthwise) {
+  const double room = 0.0002;
+  const test::Section sections[] = {test::dovetail_section(0.014, 0.012, 0.003),
+                                    test::dovetail_section(0.02, 0.008, 0.004),
+                                    test::keyed_section(5, 0.01, 0.014, 0.003)};
+  for (const test::Section& section : sections) {
+    const auto plug = test::body(test::fitted_plug(section, 0.009, {}));
+    const auto socket = test::body(test::fitted_socket(test::grown(section, room), 1.8, 0.02, {}));
+    PushApart push(*plug, *socket, Method::pdg);
+    int freed = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      Random random(seed);
+      const Chart home(plug->mass, Pose{Quat::Identity(), Vec3::Zero()});
+      const Chart chart(plug->mass, home.pose(5 * room * random.in_ball(1)));
+      const double back = chart.coordinates(home.device()).norm();
+      const auto y = push.from(chart, Vec6::Zero(), anywhere);
+      freed += y && y->norm() < 2 * back + 2 * room;
+    }
+    EXPECT_GE(freed, 10) << "with the long ways 1, 0 and 20";
+  }
+}
+
 TEST(PushApart, it_is_given_up_too_far_out_or_where_no_triangles_meet) {
   const auto small = test::body(test::box({0.1, 0.1, 0.1})), big = test::body(test::box({1, 1, 1}));
   PushApart push(*small, *big, Method::pdg);
