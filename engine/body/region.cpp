@@ -70,6 +70,7 @@ std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulate(const Plana
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
     return std::nullopt;
   }
+  if (triangulation.dimension() < 2) return std::nullopt;  // all on a line: there is no triangle
   if (!has_whole(triangulation, region, vertices)) return std::nullopt;
   mark_depths(triangulation);
   std::vector<std::array<std::uint32_t, 3>> out;

@@ -17,7 +17,8 @@ struct PlanarRegion {
 };
 
 /// Anticlockwise triangles that fill a region, with only its points as corners: a constrained
-/// Delaunay triangulation (CGAL, exact predicates). No value if segments cross or overlap.
+/// Delaunay triangulation (CGAL, exact predicates). No value if segments cross or overlap, or if
+/// all points lie on a line.
 std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulate(const PlanarRegion& region);
 
 }  // namespace sonde

@@ -43,6 +43,19 @@ TEST(Facets, what_cannot_be_fewer_stays_as_it_is) {
   EXPECT_EQ(triangle_set(facets.soup), triangle_set(soup));
 }
 
+// A tetrahedron smaller than rounding: each of its triangles lies in the plane of any other, and
+// together they have no outline.
+TEST(Facets, a_closed_speck_stays_as_it_is) {
+  Soup soup = sewn(test::cut_block({1, 2, 3}, {}));
+  const auto a = static_cast<std::uint32_t>(soup.vertices.size());
+  for (const Vec3& x : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)})
+    soup.vertices.emplace_back(1e-14 * x);
+  for (const Triangle& t : {Triangle{a, a + 2, a + 1}, Triangle{a, a + 1, a + 3},
+                            Triangle{a, a + 3, a + 2}, Triangle{a + 1, a + 2, a + 3}})
+    soup.triangles.push_back(t);
+  EXPECT_EQ(triangle_set(merged(soup).soup), triangle_set(soup));
+}
+
 // Closed forms: a flat face of n corners with h holes takes n + 2h - 2 triangles; a wall of a
 // prism, two.
 TEST(Facets, holes_and_concave_faces_keep_their_shape) {

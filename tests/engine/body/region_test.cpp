@@ -152,6 +152,14 @@ TEST(Region, overlapping_segments_are_refused) {
   EXPECT_FALSE(triangulate(twice));
 }
 
+TEST(Region, an_outline_that_encloses_nothing_is_refused) {
+  EXPECT_FALSE(triangulate(PlanarRegion{}));
+  EXPECT_FALSE(triangulate(PlanarRegion{.points = {{1, 2}}, .outline = {}}));
+  EXPECT_FALSE(triangulate(PlanarRegion{.points = {{0, 0}, {1, 0}}, .outline = {{0, 1}}}));
+  EXPECT_FALSE(
+      triangulate(PlanarRegion{.points = {{0, 0}, {1, 1}, {2, 2}}, .outline = {{0, 1}, {1, 2}}}));
+}
+
 // Closed form: the shoelace formula of a star of many corners.
 TEST(Region, many_corners) {
   std::mt19937_64 random(2);

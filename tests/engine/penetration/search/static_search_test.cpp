@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "engine/penetration/bound/lower_bound.hpp"
+#include "engine/penetration/search/search_tuning.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 #include "tests/engine/penetration/overlapping_pose.hpp"
 #include "tests/engine/penetration/separation_checks.hpp"
@@ -385,6 +386,28 @@ TEST(StaticSearch, a_search_that_ends_by_its_number_of_starts_counts_that_limit)
   options.by_evidence = false;
   // Of the search for the probe, and of that for the fixed body.
   EXPECT_EQ(separate_static({pair.a, pair.b}, X, options).limited, by_itself + 2);
+}
+
+// Reference: a limit that is far above what the search makes, and that it never meets. A surer
+// answer takes ten times as many starts, which of the largest limit is no int.
+TEST(StaticSearch, the_largest_limit_of_starts_is_none_for_a_surer_answer_too) {
+  const test::BodyPair pair = searched_pairs().front();
+  std::mt19937_64 random(8);
+  const Pose X = test::overlapping_pose(random, pair, 0.7);
+  SearchTuning tuning;
+  tuning.narrow = 0;  // any way out counts as long
+  tuning.most_after_sketches = tuning.most_translations_pushed = 4;
+  StaticOptions options{.starts = 1000, .sure = 0.99, .want_lower_bound = false};
+  for (const Method method : {Method::pdg, Method::pdt}) {
+    options.method = method;
+    options.starts = 1000;
+    const Separation by_enough = separate_static({pair.a, pair.b}, X, options, tuning);
+    ASSERT_TRUE(by_enough.far_out);
+    options.starts = std::numeric_limits<int>::max();
+    const Separation by_most = separate_static({pair.a, pair.b}, X, options, tuning);
+    EXPECT_EQ(by_most.iterations, by_enough.iterations);
+    EXPECT_EQ(by_most.depth, by_enough.depth);
+  }
 }
 
 }  // namespace
