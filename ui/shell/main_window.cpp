@@ -241,6 +241,7 @@ void MainWindow::place(const Pose& X_FM) {
   history_->leave();
   session()->place(X_FM);
   mouse_->take(session()->probe().mass, X_FM);
+  viewport_->find_probe(X_FM);
   forget_shown();
   emit paused_changed(false);
 }
