@@ -93,7 +93,7 @@ TEST_F(HistoryTest, the_course_is_that_of_the_moment_on_show) {
   const PlotState then = history().course();
   ASSERT_TRUE(then.kept);
   EXPECT_NEAR(then.time, ticks().first_time() + 0.4, 1e-9);
-  EXPECT_GT(then.kept->outline(Curve::held, then.time - 10, then.time, 200).size(), 10u);
+  EXPECT_GT(then.kept->outline(Curve::held, then.time - 10, then.time, 2000).size(), 50u);
   wait(300);  // a gap
   history().go_live();
   wait_ticks(100);
