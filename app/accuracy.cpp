@@ -8,6 +8,19 @@
 #include "engine/text/quantity.hpp"
 
 namespace sonde::app {
+namespace {
+
+/// What a flag is given is usage, whatever else it may be in a file.
+double value_of(const std::string& text, double (*read)(std::string_view, const std::string&),
+                const char* flag) {
+  try {
+    return read(text, flag);
+  } catch (const InputError& bad) {
+    throw UsageError(bad.what());
+  }
+}
+
+}  // namespace
 
 void add_flags(CLI::App& parser, AccuracyOptions& options) {
   const char* group = "Time or accuracy";
@@ -40,9 +53,9 @@ Accuracy::Accuracy(const AccuracyOptions& options, const SolverOptions& solver)
     throw UsageError("--time and --accuracy: the one follows from the other");
   if (options.turned() && (solver.budget.microseconds > 0 || solver.budget.steps > 0))
     throw UsageError("--time and --accuracy are budgets: give no other");
-  if (options.time) knob_.time = time_in(*options.time, "--time");
-  if (options.accuracy) knob_.accuracy = share_in(*options.accuracy, "--accuracy");
-  if (options.sure) sure_ = share_in(*options.sure, "--sure");
+  if (options.time) knob_.time = value_of(*options.time, time_in, "--time");
+  if (options.accuracy) knob_.accuracy = value_of(*options.accuracy, share_in, "--accuracy");
+  if (options.sure) sure_ = value_of(*options.sure, share_in, "--sure");
   options_.claim |= options.turned() || options.sure;
   if (!options.calibration.empty())  // a bad file is told of whether it is needed or not
     calibration_ = read_calibration(options.calibration);

@@ -27,7 +27,7 @@ void add_flags(CLI::App& parser, AccuracyOptions& options);
 class Accuracy {
  public:
   /// Reads the flags and the file, before any work. Throws UsageError where flags contradict each
-  /// other, InputError where a value or the file cannot be used.
+  /// other or a value is none, InputError where the file cannot be used.
   Accuracy(const AccuracyOptions& options, const SolverOptions& solver);
 
   /// The solver's options with the knob's budget of time for this pair. With the knob, a bound is

@@ -69,7 +69,7 @@ void run(const CalibrateOptions& options) {
   check_output(options.output, inputs);
   Calibration other;
   if (!options.add.empty()) other = read_calibration(options.add);
-  ProgressLine progress(options.output.quiet);
+  ProgressLine progress(options.output.quiet, ProgressLine::Elsewhere::lines);
   Calibration all;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const TradeSetup setup = setup_of(scenes[i], options, progress);

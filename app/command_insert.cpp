@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -44,6 +45,13 @@ void check_map(const InsertOptions& options) {
     throw UsageError("--tilts need a --tilt-range above zero");
 }
 
+void check_axis(const InsertOptions& options) {
+  const Vec3 axis = vector_of(options.axis);
+  if (!axis.allFinite() || axis.isZero(0))
+    throw UsageError("--axis must be three finite numbers, not all 0");
+  if (!std::isfinite(options.twist)) throw UsageError("--twist must be a finite number");
+}
+
 void check(const InsertOptions& options) {
   const bool along = !options.axis.empty();
   if (along == !options.trajectory.empty())
@@ -51,6 +59,7 @@ void check(const InsertOptions& options) {
   if (along && !options.travel) throw UsageError("--axis needs --travel");
   if (!along && (options.travel || options.twist != 0))
     throw UsageError("--travel and --twist are of a way along an --axis");
+  if (along) check_axis(options);
   check_map(options);
 }
 

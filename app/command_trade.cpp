@@ -75,7 +75,7 @@ void run_pair(const TradeOptions& options) {
   take_trajectory(scene, options.trajectory);
   std::vector<TimedPose> path;
   if (scene.trajectory) path = path_to_study(scene);
-  ProgressLine progress(options.study.quiet);
+  ProgressLine progress(options.study.quiet, ProgressLine::Elsewhere::lines);
   TradeSetup setup{.pair = load_bodies(scene, options.study.quiet, progress)};
   setup.scene = scene.name.empty()
                     ? scene.probe.mesh.stem().string() + " on " + scene.fixed.mesh.stem().string()

@@ -33,7 +33,8 @@ Bounds bounds_of(const Soup& soup) {
   return bounds;
 }
 
-std::string text_of(double value) { return number_text(value, 6); }
+/// A rounded zero has no sign.
+std::string text_of(double value) { return number_text(value + 0.0, 6); }
 
 std::string text_of(const Vec3& v) {
   std::string text;
@@ -130,9 +131,10 @@ std::string text_of(const MeshReport& report) {
   text += plain("components", std::to_string(body.component_triangle.size()));
   text += plain("model", std::string(body.solid ? "solid" : "surface") + " (" + body.why + ")");
   text += mass.by_volume ? plain("volume V", text_of(mass.measure) + " m³")
-                         : plain("area V", text_of(mass.measure) + " m²");
+                         : plain("area A", text_of(mass.measure) + " m²");
   text += plain("centre of mass", text_of(mass.com) + " m");
-  text += line("inertia Î = I/V", 15, text_of(mass.inertia) + " m²");  // Î is two bytes, one letter
+  const std::string inertia = mass.by_volume ? "inertia Î = I/V" : "inertia Î = I/A";
+  text += line(inertia, 15, text_of(mass.inertia) + " m²");  // Î is two bytes, one letter
   text += plain("principal axes", axis(0) + " " + axis(1) + " " + axis(2));
   text += plain("radius R", text_of(mass.radius) + " m");
   text += plain("bounds", text_of(bounds.low) + " to " + text_of(bounds.high) + " m");

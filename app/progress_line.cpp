@@ -8,8 +8,35 @@
 
 namespace sonde::app {
 
-ProgressLine::ProgressLine(bool quiet)
-    : on_(!quiet && error_stream_is_terminal()), last_(std::chrono::steady_clock::now()) {}
+ProgressLine::ProgressLine(bool quiet, Elsewhere elsewhere, std::chrono::milliseconds every)
+    : on_(!quiet && (error_stream_is_terminal() || elsewhere == Elsewhere::lines)),
+      last_(std::chrono::steady_clock::now()) {
+  if (on_ && !error_stream_is_terminal())
+    writer_ = std::thread([this, every] { write_lines(every); });
+}
+
+ProgressLine::~ProgressLine() {
+  clear();
+  if (!writer_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    end_ = true;
+  }
+  ended_.notify_one();
+  writer_.join();
+}
+
+/// A part of a study may take longer than that: so the clock decides, not the news.
+void ProgressLine::write_lines(std::chrono::milliseconds every) {
+  const auto begun = std::chrono::steady_clock::now();
+  std::unique_lock lock(mutex_);
+  while (!ended_.wait_for(lock, every, [this] { return end_; })) {
+    if (text_.empty()) continue;
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begun;
+    const auto seconds = static_cast<long>(passed.count());
+    std::cerr << "sonde: " + text_ + " (after " + std::to_string(seconds) + " s)\n" << std::flush;
+  }
+}
 
 void ProgressLine::show(const std::string& what, std::size_t done, std::size_t total) {
   if (!on_) return;
@@ -39,6 +66,10 @@ Progress ProgressLine::percent(const std::string& what) {
 void ProgressLine::draw(const std::string& text) {
   using namespace std::chrono_literals;
   const std::lock_guard lock(mutex_);
+  if (writer_.joinable()) {
+    text_ = text;
+    return;
+  }
   const auto now = std::chrono::steady_clock::now();
   if (now - last_ < 100ms) return;
   last_ = now;
@@ -50,6 +81,7 @@ void ProgressLine::clear() {
   const std::lock_guard lock(mutex_);
   if (drawn_) std::cerr << "\r\033[K" << std::flush;
   drawn_ = false;
+  text_.clear();
 }
 
 }  // namespace sonde::app

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <mutex>
 #include <string>
+#include <thread>
 
 #include "engine/base/error.hpp"
 
@@ -14,8 +16,12 @@ namespace sonde::app {
 /// set. May be called from any thread.
 class ProgressLine {
  public:
-  explicit ProgressLine(bool quiet);
-  ~ProgressLine() { clear(); }
+  /// What there is in a file or a pipe, which a person may follow while a study takes minutes.
+  enum class Elsewhere { nothing, lines };
+  /// Lines are written every so many seconds, not before that, and whether or not there is news.
+  explicit ProgressLine(bool quiet, Elsewhere elsewhere = Elsewhere::nothing,
+                        std::chrono::milliseconds every = std::chrono::seconds(10));
+  ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
@@ -24,19 +30,29 @@ class ProgressLine {
   void show(const std::string& what, std::size_t done, std::size_t total);
   /// A callback that shows "what: n %" and never cancels.
   Progress percent(const std::string& what);
+  /// As it stands, where nothing can be counted yet.
+  void say(const std::string& text) {
+    if (on_) draw(text);
+  }
   void clear();
 
  private:
   void draw(const std::string& text);
   /// ", 12 s left"; empty where that is not known yet.
   std::string time_left(const std::string& what, std::size_t done, std::size_t total);
+  void write_lines(std::chrono::milliseconds every);
+
   bool on_;
   bool drawn_ = false;
+  std::string text_;  ///< of the next line elsewhere; empty: none
   std::chrono::steady_clock::time_point last_;
   std::string what_;  // of the last call of show()
   std::chrono::steady_clock::time_point since_;
   std::size_t done_then_ = 0;
   std::mutex mutex_;
+  std::condition_variable ended_;
+  bool end_ = false;
+  std::thread writer_;  ///< of lines elsewhere; none for a terminal
 };
 
 }  // namespace sonde::app

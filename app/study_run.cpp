@@ -67,7 +67,8 @@ void run_study(const Study& study, const StudyOptions& options, StudyFiles join,
                const std::function<void(ProgressLine&)>& on_part) {
   const Stop stop = stop_on_interrupt();
   const Shard shard = options.shard.empty() ? Shard{} : shard_of(options.shard).value();
-  ProgressLine progress(options.quiet);
+  ProgressLine progress(options.quiet, ProgressLine::Elsewhere::lines);
+  progress.say(study.kind + ", the first parts");
   std::mutex one_at_a_time;
   compute_parts(options.out, study, shard, threads_of(options), stop,
                 [&](std::size_t done, std::size_t total) {

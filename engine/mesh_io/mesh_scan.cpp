@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "engine/mesh_io/plain_text.hpp"
+#include "engine/text/number_text.hpp"
 #include "engine/text/printable.hpp"
 
 namespace sonde {
@@ -25,10 +26,7 @@ std::optional<double> number(std::string_view word) {
   double value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (end != word.data() + word.size()) return {};
-  if (error == std::errc::result_out_of_range)
-    return word.find("e-") != word.npos || word.find("E-") != word.npos
-               ? 0
-               : std::numeric_limits<double>::infinity();
+  if (error == std::errc::result_out_of_range) return out_of_range_number(word);
   if (error != std::errc()) return {};
   return value;
 }

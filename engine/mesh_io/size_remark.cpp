@@ -7,7 +7,7 @@
 namespace sonde {
 namespace {
 
-constexpr double largest_sensible = 50, smallest_sensible = 100e-6;  // m
+constexpr double smallest_sensible = 100e-6;  // m
 
 struct LengthUnit {
   const char* name;  ///< as --unit has it
@@ -22,9 +22,7 @@ std::string four_digits(double x) {
   return {text, end};
 }
 
-bool is_sensible(double metres) {
-  return metres >= smallest_sensible && metres <= largest_sensible;
-}
+bool is_sensible(double metres) { return metres >= smallest_sensible && metres < hardly_metres; }
 
 double largest_side(const PolygonSoup& soup) {
   Vec3 low = soup.points.front(), high = low;

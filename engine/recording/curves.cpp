@@ -35,6 +35,10 @@ std::array<double, curve_count> values_of(const Snapshot& tick, const Background
           signed_clearance(s, clearance).value_or(no_number)};
 }
 
+/// s: a servo that is late on a busy machine loses fewer ticks than that.
+constexpr double shortest_break = 0.1;
+constexpr double break_periods = 20;  // of a slow servo
+
 /// Collects the lowest and the highest point of one interval, in their order.
 class GatheredTicks {
  public:
@@ -58,6 +62,11 @@ class GatheredTicks {
 };
 
 }  // namespace
+
+double longest_line(const TickLog& ticks) {
+  return ticks.along_path ? std::numeric_limits<double>::infinity()
+                          : std::max(shortest_break, break_periods / ticks.rate_hz());
+}
 
 void Curves::add(const Snapshot& tick, double time, const BackgroundResult* searched,
                  const GaugedClearance* clearance) {
@@ -97,10 +106,13 @@ std::vector<CurvePoint> Curves::outline(Curve curve, double from, double to,
   auto value = values.begin() + (begin - times_.begin());
   GatheredTicks gathered;
   double column = -1;
+  const double longest = std::max(longest_line_, part);  // a shorter break is not seen
   for (auto time = begin; time != end; ++time, ++value) {
     const double now = std::floor((*time - from) / part);
     if (now != column) gathered.end(out);
     column = now;
+    if (time != begin && *time - *(time - 1) > longest)
+      out.push_back({(*time + *(time - 1)) / 2, no_number});
     gathered.add(*time, *value);
   }
   gathered.end(out);
@@ -108,7 +120,7 @@ std::vector<CurvePoint> Curves::outline(Curve curve, double from, double to,
 }
 
 Curves curves_of(const TickLog& ticks, const Progress& progress) {
-  Curves curves;
+  Curves curves(0, longest_line(ticks));
   const std::uint64_t count = ticks.end() - ticks.begin();
   for (std::uint64_t i = 0; i < count; ++i) {
     const Snapshot tick = ticks.at(ticks.begin() + i);

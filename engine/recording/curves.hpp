@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <vector>
 
 #include "engine/haptics/loop/background_search.hpp"
@@ -41,11 +42,18 @@ struct CurvePoint {
   double value = 0;
 };
 
+/// How far apart two ticks of a log may be, s, for a line from one to the other: further apart,
+/// what was between them is not known. There is no limit along a path.
+double longest_line(const TickLog& ticks);
+
 /// Quantities of every tick, as columns that are fast to plot over minutes. A missing value is NaN.
 class Curves {
  public:
-  /// Drops the oldest ticks if there are more; 0: no limit.
-  explicit Curves(std::uint64_t most = 0) : most_(most) {}
+  /// Drops the oldest ticks if there are more; 0: no limit. Between ticks that are further apart
+  /// than `longest_line` (s) the curves are broken.
+  explicit Curves(std::uint64_t most = 0,
+                  double longest_line = std::numeric_limits<double>::infinity())
+      : most_(most), longest_line_(longest_line) {}
 
   /// Adds the next tick, at a time that does not decrease, with the result of the last search and
   /// the last measured clearance.
@@ -60,12 +68,13 @@ class Curves {
   double at(Curve curve, double time) const;
   /// Divides the time from `from` to `to` into equal parts and returns the lowest and the highest
   /// point of each, in their order, with one point beyond each end: everything that a picture with
-  /// that many columns can show.
+  /// that many columns can show. A break is a point without a value (NaN).
   std::vector<CurvePoint> outline(Curve curve, double from, double to, std::size_t columns) const;
   std::size_t bytes() const;  ///< of memory
 
  private:
   std::uint64_t most_;
+  double longest_line_;  ///< s
   std::deque<double> times_;
   std::array<std::deque<float>, curve_count> values_;
 };

@@ -19,14 +19,19 @@ inline std::string number_text(double value, int digits = 0) {
   return std::string(text, end.ptr);
 }
 
-/// The number that the whole text represents, with '.' in any locale; a leading '+' is accepted. No
-/// value if the text is anything else, or too large for a double.
+/// What a number is that no double holds, of which std::from_chars says no more than that: 0 where
+/// it is too small, infinite where it is too large.
+double out_of_range_number(std::string_view text);
+
+/// The number that the whole text represents, with '.' in any locale; a leading '+' is accepted.
+/// One that is too small for a double is 0. No value if the text is anything else, or too large.
 inline std::optional<double> parse_number(std::string_view text) {
   if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
   double value = 0;
   const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (end.ec != std::errc{} || end.ptr != text.data() + text.size()) return std::nullopt;
-  return value;
+  if (end.ptr != text.data() + text.size()) return std::nullopt;
+  if (end.ec == std::errc::result_out_of_range && out_of_range_number(text) == 0) return 0;
+  return end.ec == std::errc{} ? std::optional(value) : std::nullopt;
 }
 
 }  // namespace sonde

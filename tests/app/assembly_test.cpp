@@ -125,7 +125,10 @@ TEST_F(Assembly, insert_goes_along_a_path_too_and_refuses_what_is_no_way) {
   EXPECT_THAT(done.out, HasSubstr("It binds after 20 mm of 39 mm"));
   stand_over("s.sonde.json", 0.03);
   stand_over("in.sonde.json", -0.01);
-  expect_refused("insert s.sonde.json --axis 0,0,0 --travel 1 --out x", 3, "axis has no length");
+  for (const char* axis : {"0,0,0", "0 0 0", "nan,0,1", "0,0,inf"})
+    expect_refused(std::string("insert s.sonde.json --travel 1 --out x --axis ") + axis, 2,
+                   "--axis must be three finite numbers");
+  expect_refused("insert s.sonde.json --axis 0,0,1 --travel 1 --twist nan --out x", 2, "--twist");
   expect_refused("insert s.sonde.json --axis 0,0,1 --travel 0 --out x", 2, "above zero");
   expect_refused("insert s.sonde.json --axis 0,0,1 --out x", 2, "--travel");
   expect_refused("insert s.sonde.json --out x", 2, "give either");

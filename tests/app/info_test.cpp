@@ -11,6 +11,24 @@ using testing::AllOf;
 using testing::HasSubstr;
 using Info = AppTest;
 
+/// Twenty metres are hardly meant: what was exported in mm is read in metres unless somebody says
+/// so.
+TEST_F(Info, a_mesh_of_twenty_metres_is_probably_in_another_unit) {
+  std::string text =
+      "OFF\n4 4 0\n0 0 0\n20 0 0\n0 20 0\n0 0 20\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+  folder.write("block.off", text);
+  EXPECT_THAT(expect_done("info block.off").out,
+              HasSubstr("in mm it would be 20 mm; give --unit mm"));
+  EXPECT_EQ(expect_done("info --unit mm block.off").out.find("give --unit"), std::string::npos);
+}
+
+TEST_F(Info, a_zero_has_no_sign) {
+  folder.write("flat.off", "OFF\n3 1 0\n0 -0 -0\n1 -0 0\n0 1 -0\n3 0 1 2\n");
+  const std::string text = expect_done("info flat.off").out;
+  EXPECT_EQ(text.find("-0,"), text.npos) << text;
+  EXPECT_EQ(text.find("-0)"), text.npos) << text;
+}
+
 // Reference: boxes whose faces are 0.05 apart, and one in the other.
 TEST_F(Info, two_meshes_are_told_how_far_apart_they_lie) {
   folder.write("away.obj", "v 0.15 0 0\nv 0.15 1 0\nv 0.15 0 1\nf 1 2 3\n");
@@ -69,7 +87,7 @@ TEST_F(Info, defects_are_counted) {
                "OFF\n6 3 0\n0 0 0\n1 0 0\n0 1 0\n5 5 5\n5 5 5\n5 6 5\n"
                "3 0 1 2\n3 0 1 2\n3 3 4 5\n");
   const Outcome text = sonde("info open.off");
-  EXPECT_THAT(text.out, AllOf(HasSubstr("surface ("), HasSubstr("area V"),
+  EXPECT_THAT(text.out, AllOf(HasSubstr("surface ("), HasSubstr("area A"),
                               HasSubstr("1 triangles without area"), HasSubstr("1 duplicate")));
   const json mesh = json::parse(sonde("info --json open.off").out).at("meshes").at(0);
   EXPECT_EQ(mesh.at("defects").at("degenerate_triangles"), 1);

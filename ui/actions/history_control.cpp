@@ -39,6 +39,7 @@ void run(const Order& order, KeptTicks& into, const Progress& progress) {
     for (LoopStep& step : steps) step.coupling = *order.gains;
   into.ticks = std::make_unique<TickLog>(radius, order.ticks.rate_hz);
   into.ticks->along_path = order.ticks.along_path;
+  into.curves = Curves(0, longest_line(*into.ticks));
   LoopRun loop{.budget = order.budget, .search = {}, .rate_hz = order.ticks.rate_hz};
   loop.search.method = order.method;
   std::size_t done = 0;
@@ -104,16 +105,20 @@ const Curves* HistoryControl::curves() const {
   return all.size() > 0 ? &all : nullptr;
 }
 
+PlotState HistoryControl::course() const {
+  if (!looking_back()) return {.kept = &recorder_.curves(), .time = recorder_.curves().last_time()};
+  return {.kept = shows_replay_ && replay_ ? &replay_->curves : curves(), .time = playback_.time()};
+}
+
 void HistoryControl::frame(qint64 now) {
   const double seconds = 1e-3 * static_cast<double>(now - std::exchange(last_frame_, now));
   try_to([&] { playback_.advance(seconds); });
   if (!recorder_.failure().isEmpty()) stop_recording();
-  const TickLog* log = kept();
-  if (log)
+  if (kept())
     plots_->show_state({.kept = curves(),
                         .replay = replay_ ? &replay_->curves : nullptr,
                         .second = second_ ? &second_->curves : nullptr,
-                        .time = looking_back() ? playback_.time() : log->last_time()},
+                        .time = looking_back() ? playback_.time() : kept()->last_time()},
                        now);
   if (now < state_due_) return;
   state_due_ = now + state_ms;

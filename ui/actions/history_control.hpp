@@ -81,6 +81,8 @@ class HistoryControl : public QObject {
   void run_both(const Coupling& a, const Coupling& b);
   /// All that the timeline leads over now; none where that is nothing.
   std::optional<TickBlocks> ticks_on_show();
+  /// The curves of what is on show, as `kept`, and where in them that is.
+  PlotState course() const;
   const KeptTicks* replay() const { return replay_.get(); }
   const KeptTicks* second_replay() const { return second_.get(); }
 

@@ -11,6 +11,7 @@
 #include "ui/document/session.hpp"
 #include "ui/panels/coupling_panel.hpp"
 #include "ui/panels/stiffness_panel.hpp"
+#include "ui/tuning/gains_text.hpp"
 #include "ui/tuning/present_contact.hpp"
 #include "ui/tuning/stability_map.hpp"
 
@@ -71,6 +72,7 @@ void StiffnessControl::attach(Session* session, bool same_gains) {
   panel_->show_tuning(tuning_);
   panel_->show_contact({});
   panel_->clear_history();
+  coupling_.show_rendered({});
   if (!session_) return;
   last_second_.take(session_->probe().mass);
   if (!same_gains) {
@@ -172,12 +174,15 @@ void StiffnessControl::frame(qint64 now) {
   buzz_due_ = now + buzz_ms;
   if (session_->paused()) {
     buzz_.reset();
+    coupling_.show_rendered({});
     return;
   }
   // A probe that jumps in and out of a contact is in it.
   contact_ = std::exchange(newest_contact_, {});
   buzz_ = last_second_.buzz();
   note_ = note_now();
+  const bool waits = buzz_ && buzz_->waiting;
+  coupling_.show_rendered(waits ? std::optional(buzz_->rendered) : std::nullopt);
   panel_->show_contact(contact_);
   if (panel_->isVisible()) panel_->show_buzz(buzz_, newest_);
 }
@@ -204,6 +209,10 @@ ForceNote StiffnessControl::note_now() const {
           QStringLiteral("by the study of %1 in %2:\n%3 in %4 contact")
               .arg(text(tuning_->results.device_id), words_of(*boundary), distance, text(contact_));
   }
+  if (buzz_ && buzz_->waiting)
+    note.text = QStringLiteral("%1 now: the gains set wait%2")
+                    .arg(gains_text(buzz_->rendered).replace('\n', QStringLiteral(", ")),
+                         note.text.isEmpty() ? QString() : '\n' + note.text);
   if (!buzz_ || !buzz_->chatter.buzzes()) return note;
   note.now = QStringLiteral("buzzing");
   note.course = last_second_.forces(course_seconds);

@@ -4,6 +4,7 @@
 #include <QMainWindow>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <string>
 #include <thread>
@@ -258,14 +259,21 @@ QString WayInControl::summary() const {
            number(force));
 }
 
-QString WayInControl::words_at(double travel) const {
-  const LengthUnit unit(session_->probe().mass.radius);
+/// The computed place that is nearest: between two of them nothing is known.
+const InsertionStep& WayInControl::step_nearest(double travel) const {
   const auto& steps = found_->steps;
   const auto next = std::ranges::lower_bound(steps, travel, {}, &InsertionStep::travel);
-  const InsertionStep& step = next == steps.end() ? steps.back() : *next;
+  if (next == steps.end()) return steps.back();
+  if (next == steps.begin()) return *next;
+  return next->travel - travel <= travel - std::prev(next)->travel ? *next : *std::prev(next);
+}
+
+QString WayInControl::words_at(double travel) const {
+  const LengthUnit unit(session_->probe().mass.radius);
+  const InsertionStep& step = step_nearest(travel);
   const double room = room_of(step);
-  return QStringLiteral("At %1: %2 %3, %4 N")
-      .arg(unit.text(travel), unit.text(std::abs(room)),
+  return QStringLiteral("Step at %1: %2 %3, %4 N")
+      .arg(unit.text(step.travel), unit.text(std::abs(room)),
            room < 0 ? QStringLiteral("deep") : QStringLiteral("of room"),
            number(step.wrench.force.norm()));
 }
@@ -287,7 +295,10 @@ void WayInControl::go_to(double travel, double seconds) {
 void WayInControl::seek(double travel) {
   playing_ = false;
   panel_->show_playing(false);
-  go_to(travel, seek_seconds);
+  if (!found_) return;
+  // At a place that was computed, what is said of it is what the Readout measures there.
+  const bool first = found_->first && travel == found_->first->travel;
+  go_to(first ? travel : step_nearest(travel).travel, seek_seconds);
 }
 
 void WayInControl::play(bool on) {

@@ -60,6 +60,7 @@ class WayInControl : public QObject {
   void take_map(MapWork& work);
   QString summary() const;
   QString words_of_map() const;
+  const InsertionStep& step_nearest(double travel) const;
   QString words_at(double travel) const;
   void go_to(double travel, double seconds);
   void step_on();

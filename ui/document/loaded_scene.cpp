@@ -15,6 +15,7 @@
 #include "engine/base/progress.hpp"
 #include "engine/base/threads.hpp"
 #include "engine/mesh_io/read_mesh.hpp"
+#include "engine/mesh_io/size_remark.hpp"
 #include "engine/offset/offset_faces.hpp"
 #include "engine/scene/write_scene.hpp"
 #include "engine/settings/settings.hpp"
@@ -210,7 +211,7 @@ const char* guess_unit(const MeshPair& pair) {
   const double probe = has_own_unit(pair.probe_file) ? 0 : pair.probe_size.maxCoeff();
   const double fixed = has_own_unit(pair.fixed_file) ? 0 : pair.fixed_size.maxCoeff();
   const double side = std::max(probe, fixed);
-  if (side >= 20) return "mm";
+  if (side >= hardly_metres) return "mm";
   return side >= 2 ? "cm" : "m";
 }
 

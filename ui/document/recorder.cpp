@@ -19,7 +19,7 @@ void Recorder::begin(double probe_radius, double rate_hz) {
   const auto most = static_cast<std::uint64_t>(std::min(most_ticks, seconds * rate_hz));
   ticks_ = std::make_unique<TickLog>(
       probe_radius, rate_hz, TickLog::Limits{.ticks = most, .bytes = most_bytes - bytes_of_curves});
-  curves_ = Curves(most);
+  curves_ = Curves(most, longest_line(*ticks_));
   searched_.reset();
   clearance_.reset();
 }

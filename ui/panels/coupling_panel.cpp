@@ -14,8 +14,10 @@
 
 #include "engine/settings/settings.hpp"
 #include "ui/base/format.hpp"
+#include "ui/base/theme.hpp"
 #include "ui/panels/scrolled.hpp"
 #include "ui/panels/slider_row.hpp"
+#include "ui/tuning/gains_text.hpp"
 
 namespace sonde::ui {
 
@@ -88,6 +90,12 @@ void CouplingPanel::build() {
   mode_doc_->setWordWrap(true);
   mode_doc_->setEnabled(false);  // dim: it explains, and is read once
   layout->addWidget(mode_doc_);
+  waiting_ = new QLabel(content);
+  waiting_->setObjectName(QStringLiteral("gains_waiting"));
+  waiting_->setWordWrap(true);
+  waiting_->setTextFormat(Qt::RichText);
+  waiting_->hide();
+  layout->addWidget(waiting_);
   for (const Setting& setting : coupling_settings()) {
     auto* row = new SliderRow(setting, content);
     connect(row, &SliderRow::changed, this, [this, row](double value) {
@@ -130,6 +138,15 @@ void CouplingPanel::take(const Coupling& coupling) {
 }
 
 void CouplingPanel::show_origin(const QString& words) { origin_->setText(words); }
+
+void CouplingPanel::show_rendered(const std::optional<Coupling>& instead) {
+  waiting_->setVisible(instead.has_value());
+  if (!instead) return;
+  waiting_->setText(in_colour(
+      colour::force, QStringLiteral("Felt now: %1. What is set below waits until this contact is "
+                                    "left, in which it would be unstable.")
+                         .arg(gains_text(*instead).replace('\n', QStringLiteral(", ")))));
+}
 
 void CouplingPanel::request(const Coupling& wanted, const char* what) {
   undo_.push(new CouplingChange(*this, wanted, what));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDockWidget>
+#include <optional>
 #include <vector>
 
 #include "engine/haptics/coupling/coupling.hpp"
@@ -25,6 +26,8 @@ class CouplingPanel : public QDockWidget {
   void take(const Coupling& coupling);
   /// Where the gains as opened come from, in a sentence.
   void show_origin(const QString& words);
+  /// These gains are felt, for those set wait; none: those set are.
+  void show_rendered(const std::optional<Coupling>& instead);
   const Coupling& coupling() const { return coupling_; }
 
   /// Changes the gains as a slider does; `what` names the change for whoever undoes it.
@@ -45,7 +48,7 @@ class CouplingPanel : public QDockWidget {
   Coupling coupling_;
   Coupling defaults_;
   QButtonGroup* modes_ = nullptr;
-  QLabel *mode_doc_ = nullptr, *origin_ = nullptr;
+  QLabel *mode_doc_ = nullptr, *origin_ = nullptr, *waiting_ = nullptr;
   std::vector<SliderRow*> rows_;
 };
 

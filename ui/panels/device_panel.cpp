@@ -29,6 +29,12 @@ const QColor& colour_of(DeviceState state) {
   return state == DeviceState::silent ? colour::contact : colour::force;
 }
 
+/// A dock is as narrow as its other contents let it be: the longest name is no measure of that.
+void bear_narrow(QComboBox& list) {
+  list.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  list.setMinimumContentsLength(8);
+}
+
 QString with_unit(double value, const char* unit) { return number(value) + ' ' + text(unit); }
 
 QString capabilities(const DeviceCapabilities& can) {
@@ -87,6 +93,7 @@ void DevicePanel::build_choice(QVBoxLayout& layout) {
   auto* label = new QLabel(QStringLiteral("The probe is held by"), this);
   sources_ = new QComboBox(this);
   sources_->setObjectName(QStringLiteral("holder"));
+  bear_narrow(*sources_);
   sources_->setToolTip(QStringLiteral(
       "The mouse itself, a recorded path, a simulated device that the mouse drives, or a "
       "connected device."));
@@ -167,6 +174,7 @@ void DevicePanel::build_motion(QVBoxLayout& layout) {
   const auto combo = [&](const char* name, const char* object, std::span<const Choice> choices) {
     auto* list = new QComboBox(choices_row_);
     list->setObjectName(text(object));
+    bear_narrow(*list);
     int i = 0;
     for (const Choice& choice : choices) {
       list->addItem(text(choice.label));

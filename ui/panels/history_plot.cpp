@@ -4,7 +4,10 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
+#include "engine/base/numbers.hpp"
 #include "ui/base/format.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/panels/chart_style.hpp"
@@ -12,7 +15,10 @@
 namespace sonde::ui {
 namespace {
 
-constexpr double span = 10;  // s
+/// s: further apart, what was between two is not known.
+constexpr double longest_added_line = 2;
+
+constexpr double least_seen = 0.05;  // s, of a curve
 
 /// The next 1, 2 or 5 above: the top of the scale, so that the curve does not breathe.
 double round_up(double value) {
@@ -32,8 +38,17 @@ HistoryPlot::HistoryPlot(const QString& title, const QColor& colour, QWidget* pa
 void HistoryPlot::add(double time, double value) {
   if (!samples_.empty() && time == samples_.back().time) return;  // a moment that stays on show
   if (!samples_.empty() && time < samples_.back().time) samples_.clear();
+  if (!samples_.empty() && time - samples_.back().time > longest_added_line)
+    samples_.push_back({samples_.back().time, no_number});
   samples_.push_back({time, value});
+  until_ = time;
   while (samples_.front().time < time - span) samples_.pop_front();
+}
+
+void HistoryPlot::show(const std::vector<CurvePoint>& points, double until) {
+  samples_.assign(points.begin(), points.end());
+  until_ = until;
+  update();
 }
 
 void HistoryPlot::clear() {
@@ -52,7 +67,8 @@ void HistoryPlot::paintEvent(QPaintEvent* /*event*/) {
   painter.setFont(chart_font(font()));
   const QFontMetrics metrics = painter.fontMetrics();
   double largest = 0;
-  for (const Sample& sample : samples_) largest = std::max(largest, sample.value * scale_);
+  for (const CurvePoint& sample : samples_)
+    if (!std::isnan(sample.value)) largest = std::max(largest, sample.value * scale_);
   const double top = largest > 1e-9 ? round_up(largest) : 1;
   const double head = metrics.height() + 4.0;
   const double tall = height() - head - 3;
@@ -64,13 +80,20 @@ void HistoryPlot::paintEvent(QPaintEvent* /*event*/) {
   const QString seconds = QStringLiteral("%1 s").arg(span);
   painter.drawText(QPointF(width() - metrics.horizontalAdvance(seconds) - 5, metrics.ascent() + 2),
                    seconds);
-  if (samples_.size() < 2) return;
-  const double now = samples_.back().time;
+  if (samples_.empty()) return;
+  if (until_ - samples_.front().time < least_seen) {
+    painter.drawText(QRectF(0, head, width(), tall), Qt::AlignCenter,
+                     QStringLiteral("nothing is kept from before"));
+    return;
+  }
   QPainterPath curve;
-  for (const Sample& sample : samples_) {
-    const QPointF at((1 - (now - sample.time) / span) * width(),
+  bool broken = true;
+  for (const CurvePoint& sample : samples_) {
+    const QPointF at((1 - (until_ - sample.time) / span) * width(),
                      head + tall * (1 - sample.value * scale_ / top));
-    if (curve.elementCount() == 0)
+    if (std::isnan(sample.value))
+      broken = true;
+    else if (std::exchange(broken, false))
       curve.moveTo(at);
     else
       curve.lineTo(at);

@@ -4,6 +4,9 @@
 #include <QColor>
 #include <QWidget>
 #include <deque>
+#include <vector>
+
+#include "engine/recording/curves.hpp"
 
 namespace sonde::ui {
 
@@ -16,7 +19,11 @@ class HistoryPlot : public QWidget {
   HistoryPlot(const QString& title, const QColor& colour, QWidget* parent);
   /// `time` in s, not falling; if it falls, the strip starts over.
   void add(double time, double value);
+  /// Only these, in the order of their times (s), with `until` at the right. One that is not a
+  /// number breaks the line.
+  void show(const std::vector<CurvePoint>& points, double until);
   void clear();
+  static constexpr double span = 10;  ///< s
   /// The factor and the unit's name for display.
   void set_unit(double scale, const QString& name);
   QSize sizeHint() const override { return {200, 74}; }
@@ -25,15 +32,12 @@ class HistoryPlot : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  struct Sample {
-    double time;
-    double value;
-  };
   QString title_;
   QColor colour_;
   double scale_ = 1;
   QString unit_;
-  std::deque<Sample> samples_;
+  std::deque<CurvePoint> samples_;
+  double until_ = 0;  ///< s, at the right
 };
 
 }  // namespace sonde::ui

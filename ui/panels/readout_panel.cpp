@@ -176,21 +176,15 @@ void ReadoutPanel::take(const Pair& pair) {
   force_plot_->clear();
 }
 
-void ReadoutPanel::sample(const Instant& now) {
-  const Snapshot& snapshot = now.snapshot;
-  depth_plot_->add(snapshot.time, snapshot.separation.depth);
-  force_plot_->add(snapshot.time, snapshot.wrench.force.norm());
-}
-
-void ReadoutPanel::show_course(const TickLog& ticks, double until) {
-  depth_plot_->clear();
-  force_plot_->clear();
-  if (ticks.empty()) return;
-  for (std::uint64_t i = ticks.begin(), end = ticks.find(until); i <= end; ++i) {
-    const Snapshot tick = ticks.at(i);
-    depth_plot_->add(tick.time, tick.separation.depth);
-    force_plot_->add(tick.time, tick.wrench.force.norm());
-  }
+void ReadoutPanel::show_course(const Curves* curves, double until) {
+  const auto show = [&](HistoryPlot& plot, Curve curve) {
+    const auto columns = static_cast<std::size_t>(plot.width() * plot.devicePixelRatioF());
+    const double from = until - HistoryPlot::span;
+    plot.show(curves ? curves->outline(curve, from, until, columns) : std::vector<CurvePoint>{},
+              until);
+  };
+  show(*depth_plot_, Curve::held);
+  show(*force_plot_, Curve::force);
 }
 
 void ReadoutPanel::show_numbers(const Instant& now) {
@@ -200,8 +194,6 @@ void ReadoutPanel::show_numbers(const Instant& now) {
   show_ways(snapshot.separation, now.searched);
   show_wrench(snapshot);
   show_loop(snapshot);
-  depth_plot_->update();
-  force_plot_->update();
 }
 
 /// In large letters: how deep it is, or how much room there is.

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "engine/penetration/search/pair.hpp"
-#include "engine/recording/tick_log.hpp"
+#include "engine/recording/curves.hpp"
 #include "ui/base/format.hpp"
 #include "ui/document/instant.hpp"
 
@@ -27,10 +27,8 @@ class ReadoutPanel : public QDockWidget {
 
   /// A new pair was opened.
   void take(const Pair& pair);
-  /// Adds to the curves: called with every frame.
-  void sample(const Instant& now);
-  /// The curves as they were at that time, of ticks that are looked back on.
-  void show_course(const TickLog& ticks, double until);
+  /// The curves of the seconds before that time; null: there are none.
+  void show_course(const Curves* curves, double until);
   /// Writes the numbers: a few times a second, so that they are legible.
   void show_numbers(const Instant& now);
 

@@ -32,6 +32,7 @@ SliderRow::SliderRow(const Setting& setting, QWidget* parent)
   typed_->setFixedWidth(132);
   auto* label = new QLabel(QString::fromUtf8(setting.label), this);
   label->setBuddy(typed_);
+  label->setWordWrap(true);  // in a dock of a small screen, beside its scroll bar
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(0, 2, 0, 2);
   layout->setVerticalSpacing(1);

@@ -20,6 +20,7 @@
 #include "ui/panels/map_plot.hpp"
 #include "ui/panels/scrolled.hpp"
 #include "ui/panels/study_box.hpp"
+#include "ui/tuning/gains_text.hpp"
 #include "ui/tuning/present_contact.hpp"
 #include "ui/tuning/recommendation_text.hpp"
 
@@ -35,13 +36,6 @@ QString words_of(GainAxis axis) {
   return QLatin1String(name_of(axis)) + QStringLiteral(" alone");
 }
 
-QString words_of(const Coupling& gains) {
-  if (gains.mode == Coupling::Mode::object) return QStringLiteral("k %1 N/m").arg(number(gains.k));
-  if (gains.mode == Coupling::Mode::damped)
-    return QStringLiteral("k %1 N/m\nb_t %2 N·s/m").arg(number(gains.k), number(gains.b_t));
-  return QStringLiteral("k_t %1 N/m\nk_r %2 N·m/rad").arg(number(gains.k_t), number(gains.k_r));
-}
-
 QString words_of(const Buzz& buzz) {
   const Chatter& c = buzz.chatter;
   if (!buzz.loop) return QStringLiteral("none: no force moves a mouse");
@@ -52,7 +46,9 @@ QString words_of(const Buzz& buzz) {
 
 QString gains_words(const Buzz& buzz) {
   if (buzz.waiting)
-    return in_colour(colour::force, QStringLiteral("wait: unstable in this contact"));
+    return in_colour(colour::force,
+                     QStringLiteral("%1; those set wait: unstable in this contact")
+                         .arg(gains_text(buzz.rendered).replace('\n', QStringLiteral(", "))));
   if (buzz.capped) return in_colour(colour::force, QStringLiteral("as much as the device bears"));
   return QStringLiteral("as set");
 }
@@ -226,7 +222,7 @@ void StiffnessPanel::show_tuning(const std::optional<Tuning>& tuning) {
     // In a line of its own where it is long: the dock is to be no wider.
     const char between = gains.mode == Coupling::Mode::object ? ' ' : '\n';
     apply_->setText(QStringLiteral("Use recommended:") + between +
-                    words_of(gains).replace('\n', ", "));
+                    gains_text(gains).replace('\n', ", "));
   }
   show_source();
   choose_axes();
@@ -377,7 +373,8 @@ void StiffnessPanel::show_progress(const std::optional<StudyProgress>& progress)
 void StiffnessPanel::show_sets(const std::array<Coupling, 2>& sets, std::size_t active) {
   for (std::size_t i = 0; i < sets_.size(); ++i) {
     sets_[i]->setChecked(i == active);
-    sets_[i]->setText((i == 0 ? QStringLiteral("A: ") : QStringLiteral("B: ")) + words_of(sets[i]));
+    sets_[i]->setText((i == 0 ? QStringLiteral("A: ") : QStringLiteral("B: ")) +
+                      gains_text(sets[i]));
   }
 }
 

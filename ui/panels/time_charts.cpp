@@ -127,6 +127,7 @@ struct TimeCharts::Scene {
       std::vector<QPointF> places;
       for (const CurvePoint& point : outline) {
         places.emplace_back(point.time, style.scale * point.value);
+        if (std::isnan(point.value)) continue;  // a break
         low = std::min(low, places.back().y());
         high = std::max(high, places.back().y());
       }

@@ -26,11 +26,13 @@ void declare_command_line(CLI::App& app, Arguments& arguments) {
          "name or ids, a path (a profile.json, a recorded path.csv, /dev/hidrawN), auto (the "
          "first that opens, else the mouse), mouse, or path (the scene's recorded one)")
       ->type_name("NAME | PATH | auto");
-  auto* picture = app.add_option("--screenshot", arguments.screenshot,
-                                 "Write a picture of the window (PNG), then end")
-                      ->type_name("FILE");
+  auto* picture =
+      app.add_option("--screenshot", arguments.screenshot,
+                     "Write a picture of the window as it opens (PNG), then end; asks nothing")
+          ->type_name("FILE");
   app.add_option("--demo", arguments.demo,
-                 "Play the scene's trajectory, write a picture of its deepest pose, then end")
+                 "Play the scene's path, write a picture (PNG) of its deepest tick at the path's "
+                 "time, print its figures, then end; asks nothing")
       ->type_name("PICTURE")
       ->excludes(picture);
   app.footer("Without files: the start page; for a picture, the scene spoon-in-cup.");

@@ -92,10 +92,8 @@ void Demo::run_by_tick() {
   const LoadedScene& loaded = window_.session()->loaded();
   job_.start(
       QStringLiteral("Looking for the deepest pose of the path"),
-      [run = run_, pair = loaded.pair, path = path_, coupling = loaded.coupling,
-       seconds = forward_seconds_](const Progress& progress) {
-        *run = run_demo(pair, path, coupling, seconds, progress);
-      },
+      [run = run_, pair = loaded.pair, path = path_, coupling = loaded.coupling](
+          const Progress& progress) { *run = run_demo(pair, path, coupling, progress); },
       [this](const std::exception_ptr& error) { show_deepest(error); });
 }
 

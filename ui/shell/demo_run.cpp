@@ -12,17 +12,20 @@
 namespace sonde::ui {
 namespace {
 
-constexpr double rate_hz = 1000;
+constexpr double usual_rate_hz = 1000;
+/// A path of more than a minute is run with longer ticks: nobody waits longer for a picture.
+constexpr double most_ticks = 60'000;
 constexpr double loop_part = 0.7;  // of the progress
 
-std::vector<TimedPose> by_tick(const std::vector<TimedPose>& path, double seconds) {
-  const auto ticks = static_cast<std::size_t>(std::max(std::ceil(seconds * rate_hz), 1.0));
+/// At the path's own times, so that what is said of a moment is what `sonde replay` says of it.
+std::vector<TimedPose> by_tick(const std::vector<TimedPose>& path, double ticks) {
   const double first = path.front().t, whole = path.back().t - path.front().t;
   std::vector<TimedPose> out;
-  out.reserve(ticks + 1);
-  for (std::size_t i = 0; i <= ticks; ++i) {
-    const double place = double(i) / double(ticks);
-    out.push_back({place * seconds, pose_at(path, first + place * whole)});
+  const auto count = static_cast<std::size_t>(ticks);
+  out.reserve(count + 1);
+  for (std::size_t i = 0; i <= count; ++i) {
+    const double t = first + double(i) / ticks * whole;
+    out.push_back({t, pose_at(path, t)});
   }
   return out;
 }
@@ -37,8 +40,11 @@ Snapshot without_clock(Snapshot tick) {
 }  // namespace
 
 DemoRun run_demo(const Pair& pair, const std::vector<TimedPose>& path, const Coupling& coupling,
-                 double seconds, const Progress& progress) {
-  const std::vector<LoopStep> steps = steps_of(by_tick(path, seconds), coupling);
+                 const Progress& progress) {
+  const double seconds = path.back().t - path.front().t;
+  const double ticks = std::clamp(std::round(seconds * usual_rate_hz), 1.0, most_ticks);
+  const double rate_hz = ticks / seconds;
+  const std::vector<LoopStep> steps = steps_of(by_tick(path, ticks), coupling);
   DemoRun run{.kept = std::make_shared<KeptTicks>()};
   run.kept->name = QStringLiteral("The path");
   run.kept->ticks = std::make_unique<TickLog>(pair.probe().mass.radius, rate_hz);

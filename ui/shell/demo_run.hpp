@@ -18,10 +18,10 @@ struct DemoRun {
   bool touches = false;             ///< false: no tick is in contact, and the last one counts
 };
 
-/// Runs through the path within that many seconds at 1 kHz, and searches the ways out of the
-/// deepest pose, without a limit of time. Times that a clock would measure are left out of the
-/// ticks. Throws Cancelled.
+/// Runs through the path at its own times and 1 kHz (a path of more than a minute at fewer ticks),
+/// and searches the ways out of the deepest pose, without a limit of time. Times that a clock would
+/// measure are left out of the ticks. Throws Cancelled.
 DemoRun run_demo(const Pair& pair, const std::vector<TimedPose>& path, const Coupling& coupling,
-                 double seconds, const Progress& progress = {});
+                 const Progress& progress = {});
 
 }  // namespace sonde::ui

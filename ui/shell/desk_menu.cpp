@@ -73,17 +73,22 @@ void add_desk_menu(MainWindow& window, QMenu& menu) {
     QObject::connect(action, &QAction::triggered, &window,
                      [theme = choice.theme] { choose_theme(*qApp, theme); });
   }
-  QAction* fold = menu.addAction(QStringLiteral("Fol&d or unfold the docks"));
+  QMenu* desk = menu.addMenu(QStringLiteral("Doc&ks"));
+  desk->setObjectName(QStringLiteral("docks_menu"));
+  QAction* fold = desk->addAction(QStringLiteral("Fol&d or unfold the docks"));
   fold->setObjectName(QStringLiteral("fold_docks"));
   fold->setShortcut(QKeySequence(Qt::Key_F9));
   QObject::connect(fold, &QAction::triggered, &window, [w = &window] { w->fold_docks(); });
-  QAction* next = menu.addAction(QStringLiteral("&Keyboard to the next dock"));
+  QAction* next = desk->addAction(QStringLiteral("&Keyboard to the next dock"));
   next->setObjectName(QStringLiteral("next_dock"));
   next->setShortcut(QKeySequence(Qt::Key_F6));
   MainWindow* w = &window;
   // In the order they were made: the window's own changes with each that comes to the front.
   QObject::connect(next, &QAction::triggered, w,
                    [w, docks = w->findChildren<QDockWidget*>()] { focus_next(*w, docks); });
+  desk->addSeparator();
+  for (const QDockWidget* dock : w->findChildren<QDockWidget*>())
+    desk->addAction(dock->toggleViewAction());
 }
 
 }  // namespace sonde::ui

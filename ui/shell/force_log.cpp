@@ -12,6 +12,8 @@ constexpr double shown_for = 4;  // s
 /// s: the force fades with a time of 0.05 s, and what is over sooner is not felt as none.
 constexpr double brief = 0.02;
 
+constexpr double setting_up = 0.5;  // s, after which nothing more is put into a new scene
+
 bool is_fault(Withheld why) {
   return why == Withheld::untrusted || why == Withheld::not_finite || why == Withheld::failed ||
          why == Withheld::stalled || why == Withheld::unsettled || why == Withheld::diverged;
@@ -29,6 +31,9 @@ QString ForceLog::add(const Snapshot& tick) {
     fault_ = why;
     fault_time_ = tick.time;
   }
+  // A scene that is set up has its hand put into it: nobody has felt a force yet.
+  felt_ = felt_ || !tick.wrench.force.isZero(0) || !tick.wrench.torque.isZero(0);
+  if (why == Withheld::changed && (!felt_ || tick.time < setting_up)) return {};
   if (why == now_) return {};
   now_ = why;
   const QString at = QString::number(tick.time, 'f', 3);
@@ -37,16 +42,22 @@ QString ForceLog::add(const Snapshot& tick) {
     qCInfo(force).noquote() << line;
     return line;
   }
-  QString line = at + QStringLiteral(" s: no force: ") + QString::fromUtf8(words(why));
+  const QString reason = QString::fromUtf8(words(why));
+  if (!is_fault(why)) {  // as somebody wanted it
+    QString line = QStringLiteral("%1 s: %2, so no force").arg(at, reason);
+    qCInfo(force).noquote() << line;
+    return line;
+  }
+  QString line = QStringLiteral("%1 s: no force: %2").arg(at, reason);
   qCWarning(force).noquote() << line;
   return line;
 }
 
 void ForceLog::end() {
   if (time_ > 0)
-    qCWarning(force).noquote() << QString::number(time_, 'f', 3) +
-                                      QStringLiteral(" s: no force: ") +
-                                      QString::fromUtf8(words(Withheld::shut_down));
+    qCInfo(force).noquote() << QStringLiteral("%1 s: %2")
+                                   .arg(time_, 0, 'f', 3)
+                                   .arg(QString::fromUtf8(words(Withheld::shut_down)));
   *this = ForceLog{};
 }
 

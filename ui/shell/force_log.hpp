@@ -13,7 +13,8 @@ class ForceLog {
  public:
   /// Takes each tick, in order. A tick that is earlier than the last is the first of another run.
   /// Returns the message, empty where nothing has changed. A pose that is not settled gets a
-  /// message only where that lasts, because the force then fades and is not cut.
+  /// message only where that lasts, because the force then fades and is not cut. That a hand is put
+  /// into a scene that has just been set up gets none.
   QString add(const Snapshot& tick);
   /// The loop has ended, with the program or for another scene; the next tick belongs to another
   /// run.
@@ -27,6 +28,7 @@ class ForceLog {
   double fault_time_ = 0;               ///< s, of its last tick
   double settled_time_ = 0;             ///< s, of the last tick whose pose was settled
   double time_ = 0;
+  bool felt_ = false;  ///< there has been a force
 };
 
 }  // namespace sonde::ui

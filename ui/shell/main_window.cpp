@@ -241,6 +241,7 @@ void MainWindow::place(const Pose& X_FM) {
   history_->leave();
   session()->place(X_FM);
   mouse_->take(session()->probe().mass, X_FM);
+  viewport_->find_probe(X_FM);
   forget_shown();
   emit paused_changed(false);
 }
@@ -271,7 +272,6 @@ void MainWindow::on_frame() {
 
 void MainWindow::show_kept(const std::shared_ptr<KeptTicks>& ticks, double time) {
   history_->show_kept(ticks, time);
-  readout_->show_course(ticks->log(), time);
 }
 
 /// What there is to show: of the servo, or of what was kept.
@@ -305,7 +305,6 @@ void MainWindow::draw_if_changed() {
   const bool changed = !instant_ || !same_picture(*instant_, *next);
   instant_ = next;
   shown_ = next->snapshot;
-  readout_->sample(*next);
   seeing_->frame(*shown_);
   accuracy_->frame(*shown_, clock_.elapsed());
   const bool swings = swing_ && shown_->separation.status == Status::penetrating;
@@ -333,6 +332,8 @@ void MainWindow::ask_search() {
 
 void MainWindow::show_numbers() {
   readout_->show_numbers(*instant_);
+  const PlotState course = history_->course();
+  readout_->show_course(course.kept, course.time);
   seeing_->show_numbers(*shown_);
   pose_panel_->show_pose(instant_->live ? session()->device_pose() : shown_->separation.device);
   show_status();

@@ -11,9 +11,12 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QResizeEvent>
+#include <QScrollBar>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextCursor>
+#include <QTimer>
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -21,14 +24,24 @@
 namespace sonde::ui {
 namespace {
 
+constexpr int resized_ms = 60;  // a window that is being drawn larger is laid out once
+
 /// Pages as they are written, without comments, and with a link in place of each picture that this
 /// Qt cannot draw.
 class Pages : public QTextBrowser {
  public:
-  using QTextBrowser::QTextBrowser;
+  explicit Pages(QWidget* parent) : QTextBrowser(parent) {
+    // One that comes and goes with the page's length would change the width that pictures fit.
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+    again_.setSingleShot(true);
+    connect(&again_, &QTimer::timeout, this, &Pages::show_again);
+  }
   QVariant loadResource(int type, const QUrl& name) override {
     QVariant found = QTextBrowser::loadResource(type, name);
-    if (type == QTextDocument::ImageResource) return fitted(source().resolved(name), found);
+    if (type == QTextDocument::ImageResource) {
+      pictured_ = true;
+      return fitted(source().resolved(name), found);
+    }
     if (type != QTextDocument::MarkdownResource) return found;
     QString text = QString::fromUtf8(found.toByteArray());
     static const QRegularExpression comment(QStringLiteral("<!--.*?-->\n*"),
@@ -40,7 +53,24 @@ class Pages : public QTextBrowser {
     return text.toUtf8();
   }
 
+ protected:
+  /// What was fitted before the window had its width is fitted again.
+  void resizeEvent(QResizeEvent* event) override {
+    QTextBrowser::resizeEvent(event);
+    if (pictured_ && event->size().width() != event->oldSize().width()) again_.start(resized_ms);
+  }
+
  private:
+  void show_again() {
+    const int at = verticalScrollBar()->value();
+    const int from = textCursor().anchor(), to = textCursor().position();
+    reload();
+    QTextCursor found = textCursor();
+    found.setPosition(from);
+    found.setPosition(to, QTextCursor::KeepAnchor);
+    setTextCursor(found);
+    verticalScrollBar()->setValue(at);
+  }
   /// A picture no wider than the page.
   QVariant fitted(const QUrl& file, const QVariant& otherwise) const {
     const QImage picture(file.toLocalFile());
@@ -48,6 +78,9 @@ class Pages : public QTextBrowser {
     if (picture.isNull() || picture.width() <= width || width < 100) return otherwise;
     return picture.scaledToWidth(width, Qt::SmoothTransformation);
   }
+
+  QTimer again_;
+  bool pictured_ = false;  ///< some page so far
 };
 
 /// The name under which a link finds a heading: small letters, dashes for blanks, nothing else.

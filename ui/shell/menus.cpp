@@ -268,51 +268,52 @@ void add_mended(MainWindow& window, QMenu& menu) {
                    [bar](bool away) { bar->setChecked(!away); });
 }
 
+/// What is drawn over the bodies, each by a figure or a letter.
+void add_overlay_menu(MainWindow& window, QMenu& view) {
+  QMenu& menu = *view.addMenu(QStringLiteral("&Overlays"));
+  const auto layer = [&](const char* object, const char* text, const char* key, Layer what) {
+    add_layer(window, menu, object, QString::fromUtf8(text), QKeySequence(QLatin1String(key)),
+              what);
+  };
+  layer("show_ghost", "Separated probe, as held", "1", Layer::ghost);
+  layer("show_screw", "Separation as a screw", "2", Layer::screw);
+  layer("show_contacts", "Contacts", "3", Layer::contacts);
+  layer("show_wrench", "Force and torque", "4", Layer::wrench);
+  layer("show_nearest", "Nearest way out", "5", Layer::nearest);
+  layer("show_straight", "Nearest way out without a turn (PD_t)", "6", Layer::straight);
+  layer("show_bound", "Witness of the lower bound", "7", Layer::bound);
+  layer("show_clearance", "Clearance, and where it is", "8", Layer::clearance);
+  layer("show_stiffness", "Felt stiffness", "9", Layer::stiffness);
+  layer("show_defects", "Holes and flipped faces", "D", Layer::defects);
+  layer("show_mended", "Closed openings, in their colour", "", Layer::mended);
+}
+
+/// Small enough for the least screen: what is many of a kind is in a menu of its own.
 void add_view_menu(MainWindow& window, QToolBar& bar) {
   QMenu& menu = *window.menuBar()->addMenu(QStringLiteral("&View"));
   MainWindow* w = &window;
   const auto key = [](const char* text) { return QKeySequence(QLatin1String(text)); };
-  add_layer(window, menu, "show_ghost", QStringLiteral("Separated probe, as held"), key("1"),
-            Layer::ghost);
-  add_layer(window, menu, "show_screw", QStringLiteral("Separation as a screw"), key("2"),
-            Layer::screw);
-  add_layer(window, menu, "show_contacts", QStringLiteral("Contacts"), key("3"), Layer::contacts);
-  add_layer(window, menu, "show_wrench", QStringLiteral("Force and torque"), key("4"),
-            Layer::wrench);
-  add_layer(window, menu, "show_nearest", QStringLiteral("Nearest way out"), key("5"),
-            Layer::nearest);
-  add_layer(window, menu, "show_straight", QStringLiteral("Nearest way out without a turn (PD_t)"),
-            key("6"), Layer::straight);
-  add_layer(window, menu, "show_bound", QStringLiteral("Witness of the lower bound"), key("7"),
-            Layer::bound);
-  add_layer(window, menu, "show_clearance", QStringLiteral("Clearance, and where it is"), key("8"),
-            Layer::clearance);
-  add_layer(window, menu, "show_stiffness", QStringLiteral("Felt stiffness"), key("9"),
-            Layer::stiffness);
-  add_layer(window, menu, "show_defects", QStringLiteral("Holes and flipped faces"), key("D"),
-            Layer::defects);
-  add_layer(window, menu, "show_mended", QStringLiteral("Closed openings, in their colour"), {},
-            Layer::mended);
+  bar.addAction(add(window, menu, "fit", QStringLiteral("&Fit"), key("F"),
+                    [w](bool) { w->viewport().fit(); }));
+  add_toggle(window, menu, "parallel", QStringLiteral("&Parallel projection"), key("O"), false,
+             [w](bool on) { w->viewport().set_parallel(on); });
+  add_camera_actions(window, menu, window.seeing());
+  menu.addSeparator();
+  add_overlay_menu(window, menu);
   add_layer(window, menu, "show_handles", QStringLiteral("Handles"), key("G"), Layer::handles);
   add_toggle(window, menu, "local_handles", QStringLiteral("Handles along the probe's axes"),
              key("L"), false, [w](bool on) { w->viewport().set_handles_local(on); });
   add_layer(window, menu, "show_hint", QStringLiteral("Hint and legend"), key("H"), Layer::hint);
   add_layer(window, menu, "show_grid", QStringLiteral("Grid on the ground"), key("Shift+G"),
             Layer::grid);
-  menu.addSeparator();
-  bar.addAction(add(window, menu, "fit", QStringLiteral("&Fit"), key("F"),
-                    [w](bool) { w->viewport().fit(); }));
-  add_toggle(window, menu, "parallel", QStringLiteral("&Parallel projection"), key("O"), false,
-             [w](bool on) { w->viewport().set_parallel(on); });
   bar.addAction(add_toggle(window, menu, "trail", QStringLiteral("&Trail"), key("T"), false,
                            [w](bool on) { w->viewport().set_shown(Layer::trail, on); }));
   add_toggle(window, menu, "swing", QStringLiteral("S&wing the separated probe"), key("W"), false,
              [w](bool on) { w->set_swing(on); });
   menu.addSeparator();
   add_mended(window, menu);
+  menu.addSeparator();
   add_desk_menu(window, menu);
-  for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
-    menu.addAction(dock->toggleViewAction());
 }
 
 void add_help_menu(MainWindow& window) {

@@ -64,15 +64,16 @@ void add_directions(MainWindow& window, QMenu& menu, SeeingControl& seeing) {
       {"from_above", "From +z", "Ctrl+5", Vec3::UnitZ(), Vec3::UnitY()},
       {"from_below", "From -z", "Ctrl+6", -Vec3::UnitZ(), Vec3::UnitY()}};
   SeeingControl* control = &seeing;
+  QMenu& from = *menu.addMenu(QStringLiteral("&Look along an axis"));
   for (const Direction& d : directions)
-    add(window, menu, d.object, d.text, d.key,
+    add(window, from, d.object, d.text, d.key,
         [control, towards = d.towards, up = d.up] { control->look_from(towards, up); });
 }
 
 }  // namespace
 
 void add_seeing_menu(MainWindow& window, QMenuBar& bar, SeeingControl& seeing) {
-  QMenu& menu = *bar.addMenu(QStringLiteral("&Look"));
+  QMenu& menu = *bar.addMenu(QStringLiteral("&Bodies"));
   SeeingControl* control = &seeing;
   const auto look = [&](const char* object, const char* text, const char* key, Look Seeing::*body,
                         Look wanted) {
@@ -108,10 +109,13 @@ void add_seeing_menu(MainWindow& window, QMenuBar& bar, SeeingControl& seeing) {
     crossings->setChecked(false);
     control->crossings().set_on(false);
   });
-  menu.addSeparator();
-  add_toggle(window, menu, "follow_contact", "F&ollow the contact", "V",
-             [control](bool on) { control->set_follow(on); });
+}
+
+void add_camera_actions(MainWindow& window, QMenu& menu, SeeingControl& seeing) {
+  SeeingControl* control = &seeing;
   add_directions(window, menu, seeing);
+  add_toggle(window, menu, "follow_contact", "Follow the &contact", "V",
+             [control](bool on) { control->set_follow(on); });
   add(window, menu, "save_view", "&Save this view", "Ctrl+D", [control] { control->save_view(); });
 }
 

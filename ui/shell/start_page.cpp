@@ -12,6 +12,7 @@
 #include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/base/resources.hpp"
 #include "ui/document/recent_files.hpp"
@@ -19,8 +20,10 @@
 namespace sonde::ui {
 namespace {
 
-constexpr int columns = 3;  // as many as fit between the docks of a small screen
 constexpr QSize picture_size{132, 88};
+constexpr int room = 16;             // pixels, at the sides
+constexpr int between_tiles = 6;     // pixels
+constexpr double for_gallery = 0.7;  // of the width: what is left is for the files opened last
 const QString ending = QStringLiteral(".sonde.json");
 
 QLabel* heading(const QString& text, QWidget* parent, double larger) {
@@ -53,7 +56,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent), recent_(new QVBoxLayout
   whole->setContentsMargins(0, 0, 0, 0);
   whole->addWidget(scroll);
   auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(16, 16, 16, 16);
+  layout->setContentsMargins(room, room, room, room);
   layout->setSpacing(10);
   complaint_ = build_complaint();
   layout->addWidget(complaint_);
@@ -71,10 +74,22 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent), recent_(new QVBoxLayout
   layout->addLayout(buttons);
   layout->addWidget(
       new QLabel(QStringLiteral("or drop a scene, one mesh or two meshes here"), content));
-  layout->addWidget(heading(QStringLiteral("Scenes to try"), content, 1.15));
-  layout->addWidget(gallery());
-  layout->addWidget(heading(QStringLiteral("Opened last"), content, 1.15));
-  layout->addLayout(recent_);
+  auto* lists = new QHBoxLayout;
+  lists->setSpacing(2 * room);
+  auto* scenes = new QVBoxLayout;
+  scenes->setSpacing(layout->spacing());
+  scenes->addWidget(heading(QStringLiteral("Scenes to try"), content, 1.15));
+  scenes->addWidget(gallery());
+  scenes->addStretch();
+  lists->addLayout(scenes);
+  auto* files = new QVBoxLayout;
+  files->setSpacing(layout->spacing());
+  files->addWidget(heading(QStringLiteral("Opened last"), content, 1.15));
+  files->addLayout(recent_);
+  files->addStretch();
+  lists->addLayout(files);
+  lists->addStretch(1);
+  layout->addLayout(lists);
   layout->addStretch();
 }
 
@@ -107,10 +122,7 @@ void StartPage::complain(const QString& reason, std::function<void()> locate) {
 
 QWidget* StartPage::gallery() {
   auto* box = new QWidget(this);
-  auto* grid = new QGridLayout(box);
-  grid->setContentsMargins(0, 0, 0, 0);
   const QDir folder(resource(QStringLiteral("scenes")));
-  int at = 0;
   for (const QString& file : folder.entryList({'*' + ending}, QDir::Files, QDir::Name)) {
     const QString name = file.chopped(ending.size());
     auto* button = new QToolButton(box);
@@ -123,11 +135,34 @@ QWidget* StartPage::gallery() {
     button->setFocusPolicy(Qt::StrongFocus);
     const QString path = folder.filePath(file);
     connect(button, &QToolButton::clicked, this, [this, path] { emit chosen({path}); });
-    grid->addWidget(button, at / columns, at % columns);
-    ++at;
+    tiles_.push_back(button);
   }
-  grid->setColumnStretch(columns, 1);
   return box;
+}
+
+/// In rows of one length, and as few as find room beside the files that were opened last.
+void StartPage::lay_tiles() {
+  if (tiles_.empty()) return;
+  const int count = static_cast<int>(tiles_.size());
+  int each = 0;
+  for (const QToolButton* tile : tiles_) each = std::max(each, tile->sizeHint().width());
+  each += between_tiles;
+  const int fit = std::clamp(static_cast<int>(for_gallery * width()) / each, 1, count);
+  const int rows = (count + fit - 1) / fit, columns = (count + rows - 1) / rows;
+  if (columns == columns_) return;
+  columns_ = columns;
+  QWidget& box = *tiles_.front()->parentWidget();
+  delete box.layout();  // rows that it once had would keep their room
+  auto* grid = new QGridLayout(&box);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(between_tiles);
+  for (int i = 0; i < count; ++i)
+    grid->addWidget(tiles_[static_cast<std::size_t>(i)], i / columns, i % columns);
+}
+
+void StartPage::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  lay_tiles();
 }
 
 void StartPage::show_recent() {
@@ -150,6 +185,7 @@ void StartPage::present() {
   complaint_->hide();
   show_recent();
   setGeometry(parentWidget()->rect());
+  lay_tiles();
   show();
   raise();
 }

@@ -4,9 +4,11 @@
 #include <QStringList>
 #include <QWidget>
 #include <functional>
+#include <vector>
 
 class QFrame;
 class QLabel;
+class QToolButton;
 class QVBoxLayout;
 
 namespace sonde::ui {
@@ -31,14 +33,18 @@ class StartPage : public QWidget {
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QWidget* gallery();
   void show_recent();
+  void lay_tiles();
 
   QFrame* build_complaint();
 
   QVBoxLayout* recent_;
+  std::vector<QToolButton*> tiles_;
+  int columns_ = 0;  ///< of the tiles
   QLabel* reason_ = nullptr;
   std::function<void()> locate_;
   QFrame* complaint_;

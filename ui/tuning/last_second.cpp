@@ -28,6 +28,7 @@ void LastSecond::add(const Snapshot& tick) {
   const auto& device = tick.hand.device;
   capped_ = tick.hand.capped;
   waiting_ = tick.hand.waiting;
+  rendered_ = tick.coupling;
   device_ = device && device->force ? device : std::nullopt;
   ticks_.push_back({tick.time, {X_FM.q, X_FM * com_}, tick.wrench, tick.hand.energy.given});
   while (ticks_.front().time < tick.time - span) ticks_.pop_front();
@@ -41,7 +42,8 @@ std::optional<Buzz> LastSecond::buzz() const {
            .chatter = {},
            .energy = ticks_.back().given - ticks_.front().given,
            .capped = capped_,
-           .waiting = waiting_};
+           .waiting = waiting_,
+           .rendered = rendered_};
   if (!out.loop) return out;
   std::vector<FeltTick> felt;
   felt.reserve(ticks_.size());

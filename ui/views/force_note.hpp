@@ -8,7 +8,7 @@ namespace sonde::ui {
 
 /// What stands below the force in the view.
 struct ForceNote {
-  QString text;  ///< what a study says of this contact; empty: nothing
+  QString text;  ///< the gains felt where those set wait, and what a study says; empty: nothing
   QString now;   ///< what is wrong now, as measured in the last second; empty: nothing
   /// |F| of the last ticks, N, the oldest first: what a picture sixty times a second cannot show.
   /// Empty: not drawn.

@@ -18,7 +18,7 @@ constexpr int margin = 14;
 constexpr int fade_ms = 600;
 constexpr double triad_size = 70;                         // pixels
 constexpr double course_width = 150, course_height = 34;  // pixels
-const QColor plate(14, 17, 21, 165), light_plate(255, 255, 255, 205);
+const QColor plate(14, 17, 21, 165), light_plate(255, 255, 255, 240);
 
 /// A body has its own colour on either background.
 QColor mark_colour(const QColor& colour, const QPalette& palette) {

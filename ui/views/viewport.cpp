@@ -242,6 +242,7 @@ void Viewport::set_shown(Layer layer, bool shown) {
   if (layer == Layer::hint) {
     s.hints->set_hint_visible(shown);
     s.hints->set_legend_visible(shown);
+    if (s.pair && is_as_fitted()) fit();
   }
   apply_layers();
   if (s.probe) update_legend();
@@ -252,6 +253,7 @@ void Viewport::fade_hint() {
   Scenery& s = *scenery_;
   s.shown[static_cast<std::size_t>(Layer::hint)] = false;
   s.hints->fade();
+  if (s.pair && is_as_fitted()) fit();  // into the room that this leaves
   invalidate();
 }
 
@@ -313,10 +315,7 @@ void Viewport::resizeEvent(QResizeEvent* event) {
   if (!scenery_->pair || before.isEmpty()) return;
   // A dock that folds or unfolds covers nothing. Where one looks is the user's, unless that loses
   // sight of what was in it.
-  const CameraPlace now = place();
-  const bool as_fitted =
-      now.position == fitted_.position && now.target == fitted_.target && now.up == fitted_.up;
-  if (as_fitted || (shows_all(before) && !shows_all(size()))) fit();
+  if (is_as_fitted() || (shows_all(before) && !shows_all(size()))) fit();
 }
 
 }  // namespace sonde::ui

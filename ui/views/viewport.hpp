@@ -147,6 +147,8 @@ class Viewport : public QWidget {
   CameraPlace place() const;
   void look(const CameraPlace& place);
   void fit();
+  /// The probe is somewhere else at once: where that is out of the picture, all is fitted into it.
+  void find_probe(const Pose& X_FM);
   double metres_per_pixel(const Vec3& at) const;
   /// The place of a point of the scene in the view, in Qt's pixels from the upper left.
   QPointF on_screen(const Vec3& point) const;
@@ -178,6 +180,7 @@ class Viewport : public QWidget {
   void update_scale();
   void apply_layers();
   void apply_theme();
+  bool is_as_fitted() const;
   bool shows_all(const QSize& size) const;
   void apply_seeing();
   void show_sections();

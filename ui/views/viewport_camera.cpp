@@ -60,6 +60,21 @@ void Viewport::fit() {
   invalidate();
 }
 
+/// Nobody has turned or moved the picture since.
+bool Viewport::is_as_fitted() const {
+  const CameraPlace now = place();
+  return now.position == fitted_.position && now.target == fitted_.target && now.up == fitted_.up;
+}
+
+void Viewport::find_probe(const Pose& X_FM) {
+  Scenery& s = *scenery_;
+  if (!s.pair) return;
+  s.last_device = s.last_separated = X_FM;
+  const Vec3 com = X_FM * s.mass.com;
+  const bool before_the_eye = (camera().eye() - com).dot(camera().axes().towards) > 0;
+  if (!before_the_eye || !QRectF(rect()).contains(on_screen(com))) fit();
+}
+
 /// Whether both bodies are seen as a whole, were the picture of that size.
 bool Viewport::shows_all(const QSize& size) const {
   const Scenery& s = *scenery_;

@@ -4,7 +4,7 @@
 namespace sonde {
 namespace {
 
-constexpr double nearly = 1e-9;      // share of a limit, for rounding
+constexpr double nearly = 1e-6;      // share of a limit, for rounding: a recording has 32 bits
 constexpr double noticeably = 1e-2;  // share of the wanted change
 // Share of the ramp: shown as "100 %", it would explain nothing.
 constexpr double nearly_whole = 0.995;

@@ -49,9 +49,10 @@ std::string about(const IdentifiedAxis& axis) {
         "measured too, and the intervals hold both answers (record each sample that the device "
         "gets)";
   if (fit.widened)
-    out += "; what is left is " + number_text(fit.excess, 2) +
-           " times what noise and encoder do and goes on from sample to sample: the model does not "
-           "hold, and the intervals are widened to what parts of the pulses say";
+    out += "; the unexplained rest is " + number_text(fit.excess, 2) +
+           " times what noise and encoder steps would leave: this device does something that mass, "
+           "damping, friction and delay do not describe, so the intervals are widened until they "
+           "cover what the parts of the pulses say one by one";
   if (!axis.has_steps) out += "; no step of the encoder was seen: it may be as large as is said";
   return out + '\n';
 }

@@ -284,7 +284,10 @@ TEST(ReadStl, several_solids_odd_case_and_normals_that_are_no_numbers) {
 }
 
 TEST(ReadMesh, tiny_numbers_are_zero_enough) {
-  EXPECT_NO_THROW(read_text("a.off", "OFF\n3 1 0\n0 1e-400 0\n1 0 0\n0 1 0.5\n3 0 1 2\n"));
+  const std::string none = "0." + std::string(400, '0') + "1";
+  for (const std::string& small : {std::string("1e-400"), std::string("-1E-400"), none})
+    EXPECT_NO_THROW(read_text("a.off", "OFF\n3 1 0\n0 " + small + " 0\n1 0 0\n0 1 0.5\n3 0 1 2\n"))
+        << small;
 }
 
 // ------------------------------------------------------------------------------------ real meshes

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/recording/curves.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -93,6 +94,31 @@ TEST(Curves, an_outline_of_few_points_has_them_all_and_one_beyond_each_end) {
   ASSERT_EQ(outline.size(), 12u);
   EXPECT_EQ(outline.front().time, ticks[100].time);
   EXPECT_EQ(outline.back().time, ticks[111].time);
+}
+
+/// Half a second of ticks, then two seconds of which nothing is known, then half a second again.
+TickLog with_a_gap(bool along_path) {
+  TickLog log(made_up_radius, 1000);
+  log.along_path = along_path;
+  for (Snapshot tick : made_up_ticks(1000)) {
+    if (tick.time >= 0.5) tick.time += 2;
+    log.add(tick);
+  }
+  return log;
+}
+
+TEST(Curves, are_broken_where_nothing_is_known_of_the_time_between) {
+  const auto outline = curves_of(with_a_gap(false)).outline(Curve::force, 0, 3, 100);
+  const auto is_break = [](const CurvePoint& point) { return std::isnan(point.value); };
+  ASSERT_EQ(std::ranges::count_if(outline, is_break), 1);
+  EXPECT_NEAR(std::ranges::find_if(outline, is_break)->time, 1.5, 0.01);
+  const auto wide = curves_of(with_a_gap(false)).outline(Curve::force, 0, 900, 100);
+  EXPECT_EQ(std::ranges::count_if(wide, is_break), 0) << "it is not seen there";
+}
+
+TEST(Curves, are_lines_along_a_path_however_far_apart_its_poses_are) {
+  const auto outline = curves_of(with_a_gap(true)).outline(Curve::force, 0, 3, 100);
+  for (const CurvePoint& point : outline) EXPECT_FALSE(std::isnan(point.value)) << point.time;
 }
 
 TEST(Curves, of_a_log_are_those_of_its_ticks) {

@@ -10,6 +10,8 @@
 #include <QTest>
 #include <QToolButton>
 #include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
 
 #include "tests/ui/window_fixture.hpp"
 #include "ui/panels/typed_value.hpp"
@@ -82,6 +84,25 @@ TEST_F(HistoryTest, the_timeline_shows_what_was_then) {
   EXPECT_FALSE(history().looking_back());
   EXPECT_FALSE(window->session()->paused());
   EXPECT_NEAR(shown_place().x(), after.p.x(), 1e-12);
+}
+
+/// The strips of the Readout lead up to the moment that is looked at, and are those of the servo
+/// again after that.
+TEST_F(HistoryTest, the_course_is_that_of_the_moment_on_show) {
+  history().look_at(ticks().first_time() + 0.4);
+  const PlotState then = history().course();
+  ASSERT_TRUE(then.kept);
+  EXPECT_NEAR(then.time, ticks().first_time() + 0.4, 1e-9);
+  EXPECT_GT(then.kept->outline(Curve::held, then.time - 10, then.time, 2000).size(), 50u);
+  wait(300);  // a gap
+  history().go_live();
+  wait_ticks(100);
+  const PlotState live = history().course();
+  EXPECT_EQ(live.time, ticks().last_time());
+  const auto outline = live.kept->outline(Curve::held, live.time - 10, live.time, 200);
+  EXPECT_EQ(std::ranges::count_if(outline, [](const CurvePoint& p) { return std::isnan(p.value); }),
+            1)
+      << "where nobody knows what was meanwhile";
 }
 
 TEST_F(HistoryTest, steps_by_one_tick) {

@@ -166,8 +166,13 @@ TEST_F(StiffnessTest, gains_beyond_what_the_device_bears_wait_and_the_dock_says_
     const QString said = text("rendered_gains");
     return said.contains("wait") || said.contains("bears");
   })) << text("rendered_gains").toStdString();
-  EXPECT_FALSE(settled().chatter.buzzes());
+  const Buzz after = settled();
+  EXPECT_FALSE(after.chatter.buzzes());
   EXPECT_TRUE(stiffness().note().now.isEmpty());
+  // What is felt is told apart from what waits, where the gains are set and in the view.
+  EXPECT_EQ(find<QLabel>("gains_waiting")->isHidden(), !after.waiting);
+  EXPECT_EQ(stiffness().note().text.contains("the gains set wait"), after.waiting);
+  EXPECT_TRUE(!after.waiting || after.rendered.k < 40'000) << after.rendered.k;
   EXPECT_TRUE(text("energy_value").endsWith("mJ"));
 }
 

@@ -50,21 +50,41 @@ TEST_F(WayInTest, it_says_where_it_binds_and_goes_there) {
 }
 
 TEST_F(WayInTest, it_is_sought_and_played_by_the_probe) {
+  constexpr double half_a_step = 0.03 / 200 / 2 + 1e-9;  // it goes to the nearest
   compute("-1", "30");
   way().seek(0.005);
-  ASSERT_TRUE(test::wait_until([this] { return std::abs(height() - 0.115) < 1e-9; })) << height();
+  ASSERT_TRUE(test::wait_until([this] { return std::abs(height() - 0.115) < half_a_step; }))
+      << height();
   EXPECT_TRUE(find<QLabel>("way_at")->text().contains("of room"));
   way().seek(0.025);
-  ASSERT_TRUE(test::wait_until([this] { return std::abs(height() - 0.095) < 1e-9; })) << height();
+  ASSERT_TRUE(test::wait_until([this] { return std::abs(height() - 0.095) < half_a_step; }))
+      << height();
   EXPECT_TRUE(find<QLabel>("way_at")->text().contains("deep"));
   ASSERT_TRUE(test::wait_until([this] {
-    return std::abs(shown().separation.depth - 0.005) < 1e-4;
+    return std::abs(shown().separation.depth - 0.005) < half_a_step;
   })) << "the loop follows it there";
   way().seek(0);
   ASSERT_TRUE(test::wait_until([this] { return std::abs(height() - 0.12) < 1e-9; })) << height();
   way().play(true);
   ASSERT_TRUE(test::wait_until([this] { return height() < 0.11; }));
   way().play(false);
+}
+
+/// The numbers of the dock are of places that were computed: the probe goes to the nearest of them,
+/// so that the Readout says the same of it.
+TEST_F(WayInTest, what_is_said_of_a_place_is_what_holds_the_probe_there) {
+  type("way_steps", "20");
+  compute("-1", "30");
+  way().seek(0.0272);  // between two steps
+  ASSERT_TRUE(test::wait_until([this] { return find<QLabel>("way_at")->text().contains("deep"); }));
+  ASSERT_TRUE(test::wait_until([this] { return std::abs(height() - 0.12 + 0.027) < 1e-9; }))
+      << height();
+  EXPECT_TRUE(find<QLabel>("way_at")->text().startsWith("Step at 27.0"))
+      << find<QLabel>("way_at")->text().toStdString();
+  EXPECT_TRUE(find<QLabel>("way_at")->text().contains("7.0"));
+  EXPECT_TRUE(test::wait_until([this] {
+    return std::abs(shown().separation.depth - 0.007) < 1e-5;
+  })) << shown().separation.depth;
 }
 
 TEST_F(WayInTest, an_axis_comes_from_a_face_or_an_edge_that_is_clicked) {

@@ -39,6 +39,7 @@ class MouseTest : public WindowTest {
 };
 
 TEST_F(MouseTest, a_drag_takes_the_probe_along_with_the_cursor) {
+  act("show_hint");  // else it fades after the drag, and the view is fitted
   const QPointF before = window->viewport().on_screen(com());
   drag(Qt::LeftButton, middle, {60, -40});
   const QPointF after = window->viewport().on_screen(com());

@@ -56,6 +56,17 @@ TEST_F(CouplingPanelTest, the_mode_shows_its_own_gains) {
   EXPECT_TRUE(shows("max_force_row")) << "of every mode";
 }
 
+TEST_F(CouplingPanelTest, what_is_felt_is_told_apart_from_what_waits) {
+  EXPECT_FALSE(shows("gains_waiting"));
+  Coupling felt;
+  felt.k = 345;
+  panel->show_rendered(felt);
+  EXPECT_TRUE(shows("gains_waiting"));
+  EXPECT_TRUE(find<QLabel>("gains_waiting")->text().contains("Felt now: k 345 N/m"));
+  panel->show_rendered({});
+  EXPECT_FALSE(shows("gains_waiting"));
+}
+
 TEST_F(CouplingPanelTest, gains_of_a_newly_opened_pair_are_shown_and_are_no_change) {
   Coupling opened;
   opened.k = 1200;

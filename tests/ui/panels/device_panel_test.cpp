@@ -14,6 +14,7 @@
 
 #include "engine/settings/device_settings_file.hpp"
 #include "tests/ui/window_fixture.hpp"
+#include "ui/base/resources.hpp"
 #include "ui/devices/hand_grip.hpp"
 #include "ui/panels/typed_value.hpp"
 
@@ -374,6 +375,17 @@ TEST_F(DevicePanelTest, the_hand_on_a_simulated_device_has_grips_with_names_and_
   EXPECT_EQ(window->devices().grip().mass, 1);
   EXPECT_FALSE(button("grip_firm")->isChecked()) << "it has no name any more";
   EXPECT_EQ(chosen_grip(), window->devices().grip()) << "kept for the next time";
+}
+
+/// A dock is 272 pixels wide at first, of which its scroll bar takes some.
+TEST_F(DevicePanelTest, a_long_name_does_not_make_the_dock_wider_than_a_small_screen_has) {
+  SimulatedSource sigma;
+  sigma.profile = find_device_profile("sigma.7", device_profile_folders());
+  panel->show_choices({MouseSource{}, sigma}, sigma);
+  panel->show_settings(sigma, {});
+  panel->show_report(sigma, {});
+  const QWidget* content = find<QComboBox>("holder")->parentWidget();
+  EXPECT_LE(content->minimumSizeHint().width(), 256);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <optional>
 
 #include "tests/ui/window_fixture.hpp"
@@ -69,6 +70,32 @@ TEST_F(HistoryPlotTest, it_holds_ten_seconds_and_starts_over_when_time_falls) {
   EXPECT_LT(*largest, 30);
   plot->clear();
   EXPECT_FALSE(height_at(0.1));
+}
+
+TEST_F(HistoryPlotTest, what_is_not_known_is_a_break_and_not_a_slope) {
+  plot->show({{0, 5}, {3, 5}, {3, std::nan("")}, {7, 1}, {10, 1}}, 10);
+  EXPECT_TRUE(height_at(0.1));
+  EXPECT_FALSE(height_at(0.5)) << "nothing between 3 s and 7 s";
+  EXPECT_TRUE(height_at(0.9));
+  plot->clear();
+  plot->add(0, 5);
+  plot->add(1, 5);
+  plot->add(8, 5);
+  plot->add(10, 5);
+  EXPECT_FALSE(height_at(0.5)) << "added one by one, too";
+  EXPECT_TRUE(height_at(0.9));
+}
+
+TEST_F(HistoryPlotTest, it_ends_at_the_moment_that_is_looked_at) {
+  plot->show({{2, 5}, {4, 5}}, 8);  // 4 s ago
+  EXPECT_TRUE(height_at(0.5));
+  EXPECT_FALSE(height_at(0.8));
+}
+
+TEST_F(HistoryPlotTest, it_says_so_where_nothing_was_before) {
+  const QImage empty = plot->grab().toImage();
+  plot->show({{8, 5}, {8.001, 5}}, 8);
+  EXPECT_GT(pixels_between(empty, plot->grab().toImage()), 50);
 }
 
 }  // namespace

@@ -18,8 +18,9 @@ struct ForceLogTest : testing::Test {
   ForceLogTest() { force_log_lines.clear(); }
   ~ForceLogTest() override { qInstallMessageHandler(before); }
 
-  void add(double time, Withheld why) {
+  void add(double time, Withheld why, double force = 0) {
     Snapshot tick;
+    tick.wrench.force.x() = force;
     tick.time = time;
     tick.hand.withheld = why;
     log.add(tick);
@@ -61,6 +62,7 @@ TEST_F(ForceLogTest, every_reason_is_logged_in_its_own_words_and_the_end_too) {
                               Withheld::untrusted,  Withheld::failed, Withheld::stalled,
                               Withheld::not_finite, Withheld::changed};
   double time = 0;
+  add(time += 1, Withheld::nothing, 2);
   for (const Withheld why : reasons) {
     force_log_lines.clear();
     add(time += 1, why);
@@ -74,6 +76,31 @@ TEST_F(ForceLogTest, every_reason_is_logged_in_its_own_words_and_the_end_too) {
   EXPECT_TRUE(force_log_lines[0].contains(QString::fromUtf8(words(Withheld::shut_down))));
   log.end();
   EXPECT_EQ(force_log_lines.size(), 1) << "nothing has run since";
+}
+
+TEST_F(ForceLogTest, a_start_is_worth_no_word_and_another_hand_later_is) {
+  for (int i = 1; i < 10; ++i) add(0.001 * i, Withheld::nothing);
+  for (int i = 10; i < 20; ++i) add(0.001 * i, Withheld::changed);
+  for (int i = 20; i < 30; ++i) add(0.001 * i, Withheld::nothing);
+  EXPECT_TRUE(force_log_lines.isEmpty()) << force_log_lines.join('\n').toStdString();
+  add(0.1, Withheld::nothing, 2);
+  add(0.2, Withheld::changed);
+  EXPECT_TRUE(force_log_lines.isEmpty()) << "where the probe begins in contact, too";
+  add(0.5, Withheld::nothing, 2);
+  add(1, Withheld::changed);
+  add(1.001, Withheld::nothing);
+  EXPECT_EQ(force_log_lines.size(), 2);
+}
+
+TEST_F(ForceLogTest, what_somebody_wanted_does_not_sound_like_a_fault) {
+  add(1, Withheld::nothing);
+  add(2, Withheld::paused);
+  add(3, Withheld::stalled);
+  log.end();
+  ASSERT_EQ(force_log_lines.size(), 3);
+  EXPECT_TRUE(force_log_lines[0].endsWith("paused, so no force"));
+  EXPECT_TRUE(force_log_lines[1].contains("no force: "));
+  EXPECT_TRUE(force_log_lines[2].endsWith("the loop has ended"));
 }
 
 TEST_F(ForceLogTest, another_run_begins_afresh) {

@@ -197,6 +197,11 @@ TEST_F(DeskLayout, hint_and_legend_go_after_the_first_drag_and_come_back_by_a_ke
   drag(Qt::LeftButton, at, {30, 0});
   ASSERT_TRUE(wait_until([this] { return !window->viewport().shown(Layer::hint); }));
   EXPECT_EQ(hints().boxes().size(), before - 2);
+  // The bodies are fitted into the room that this leaves.
+  const CameraPlace faded = window->viewport().place();
+  window->viewport().fit();
+  EXPECT_LT((window->viewport().place().position - faded.position).norm(),
+            1e-3 * (faded.position - faded.target).norm());
   EXPECT_FALSE(find<QAction>("show_hint")->isChecked());
   act("show_hint");
   EXPECT_TRUE(window->viewport().shown(Layer::hint));

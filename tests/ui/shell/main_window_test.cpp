@@ -36,15 +36,13 @@ TEST_F(WindowTest, the_first_window_leaves_room_on_the_screen) {
 }
 
 TEST_F(WindowTest, a_dock_that_was_closed_is_in_the_view_menu) {
-  QMenu* view = nullptr;
-  for (const QAction* action : window->menuBar()->actions())
-    if (action->text() == "&View") view = action->menu();
-  ASSERT_TRUE(view);
+  const auto* of_docks = find<QMenu>("docks_menu");
+  ASSERT_TRUE(of_docks);
   const auto docks = window->findChildren<QDockWidget*>();
   EXPECT_GE(docks.size(), 8);
   for (QDockWidget* dock : docks) {
     dock->close();
-    ASSERT_TRUE(view->actions().contains(dock->toggleViewAction()))
+    ASSERT_TRUE(of_docks->actions().contains(dock->toggleViewAction()))
         << dock->objectName().toStdString();
     dock->toggleViewAction()->trigger();
     EXPECT_FALSE(dock->isHidden());

@@ -50,6 +50,21 @@ TEST_F(WindowTest, a_link_to_a_heading_of_the_manual_leads_there) {
   EXPECT_EQ(manual.browser().textCursor().block().text(), "Studies in parts");
 }
 
+TEST_F(WindowTest, no_picture_of_the_manual_is_wider_than_its_window) {
+  Manual manual(QStringLiteral(SONDE_RESOURCES "/docs"), window.get());
+  manual.open_page("use/seeing.md");
+  manual.show();
+  const auto widest = [&] { return manual.browser().document()->idealWidth(); };
+  for (const int width : {820, 560, 900}) {
+    manual.resize(width, 640);
+    EXPECT_TRUE(wait_until([&] {
+      const int room = manual.browser().viewport()->width();
+      return room > width / 2 && room < width && widest() <= room;
+    })) << width
+        << ": " << widest();
+  }
+}
+
 TEST_F(WindowTest, every_page_of_the_manual_has_text) {
   Manual manual(QStringLiteral(SONDE_RESOURCES "/docs"), window.get());
   const QDir folder(QStringLiteral(SONDE_RESOURCES "/docs"));

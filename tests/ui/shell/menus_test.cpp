@@ -61,6 +61,11 @@ TEST_F(MenusTest, every_command_of_a_menu_has_a_name_for_the_keyboard) {
   EXPECT_EQ(letters.removeDuplicates(), 0);
 }
 
+TEST_F(MenusTest, every_menu_fits_on_a_small_screen) {
+  for (const QMenu* menu : window->findChildren<QMenu*>())
+    EXPECT_LT(menu->sizeHint().height(), 700) << menu->title().toStdString();
+}
+
 TEST_F(MenusTest, no_key_is_of_two_commands) {
   std::map<QString, QString> of;
   for (const QAction* action : window->findChildren<QAction*>()) {

@@ -10,7 +10,10 @@
 #include <QSettings>
 #include <QTest>
 #include <QToolButton>
+#include <algorithm>
 #include <filesystem>
+#include <set>
+#include <utility>
 
 #include "tests/support/temp_folder.hpp"
 #include "tests/ui/window_fixture.hpp"
@@ -114,6 +117,31 @@ TEST_F(StartPageTest, a_complaint_is_plain_text_with_a_way_to_look_elsewhere) {
   EXPECT_EQ(located, 1);
   page->present();
   EXPECT_FALSE(complaint->isVisible()) << "that was before";
+}
+
+/// At the sizes of small and of large screens.
+TEST_F(StartPageTest, the_tiles_use_the_width_and_the_files_opened_last_stand_beside_them) {
+  for (const auto& [width, most_rows] :
+       {std::pair(1152, 2), std::pair(1600, 1), std::pair(420, 4)}) {
+    parent->resize(width, 900);
+    ASSERT_TRUE(wait_until([&] { return page->width() == width; }));
+    page->present();
+    QApplication::processEvents();
+    std::set<int> rows;
+    int right = 0;
+    for (const QToolButton* tile : page->findChildren<QToolButton*>())
+      if (tile->objectName().startsWith("gallery_")) {
+        const QPoint at = tile->mapTo(page, QPoint());
+        rows.insert(at.y());
+        right = std::max(right, at.x() + tile->width());
+      }
+    EXPECT_LE(int(rows.size()), most_rows) << width;
+    EXPECT_LE(right, width) << width;
+    for (const QLabel* label : page->findChildren<QLabel*>()) {
+      if (label->text() != "Opened last") continue;
+      EXPECT_GE(label->mapTo(page, QPoint()).x(), right) << width;
+    }
+  }
 }
 
 TEST_F(StartPageTest, covers_its_parent_at_any_size) {

@@ -52,5 +52,18 @@ TEST_F(ViewportCameraTest, whatever_was_looked_at_a_fitted_picture_shows_both_bo
   }
 }
 
+TEST_F(ViewportCameraTest, a_probe_that_is_placed_out_of_the_picture_is_found_again) {
+  look_from(Vec3(0.3, -0.4, 0.2));
+  view->fit();
+  const CameraPlace before = view->place();
+  const Pose near{Quat::Identity(), Vec3(0, 0, 0.1)}, away{Quat::Identity(), Vec3(0, 0, 2)};
+  view->find_probe(near);
+  EXPECT_EQ(view->place().position, before.position) << "it is seen as it is";
+  ASSERT_FALSE(view->rect().contains(view->on_screen(away.p).toPoint()));
+  view->find_probe(away);
+  EXPECT_TRUE(view->rect().contains(view->on_screen(away.p).toPoint()));
+  EXPECT_TRUE(view->rect().contains(view->on_screen(Vec3::Zero()).toPoint())) << "and the other";
+}
+
 }  // namespace
 }  // namespace sonde::ui::test

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/haptics/safety/force_gate.hpp"
 
 namespace sonde {
@@ -41,6 +43,21 @@ TEST_F(LessenedTest, a_force_that_comes_in_is_not_at_its_limit) {
   EXPECT_EQ(pass(pull(50)), Lessened::limited);
   EXPECT_NEAR(given.force.norm(), 10, 1e-9);
   EXPECT_EQ(torque_lessened(given, hand, coupling), Lessened::nothing) << "no torque is asked for";
+}
+
+/// A recording keeps forces in 32 bits, whose length may come out a little below the limit.
+TEST(Lessened, a_recorded_force_at_its_limit_is_limited) {
+  Coupling coupling;
+  coupling.max_force = 10;
+  HandState hand;
+  hand.share = 1;
+  Wrench recorded;
+  for (int i = 1; i < 200; ++i) {
+    const Vec3 at_limit = Vec3(std::sin(i), std::cos(3 * i), 0.1 * i).normalized() * 10;
+    recorded.force = at_limit.cast<float>().cast<double>();
+    hand.asked = recorded;
+    EXPECT_EQ(force_lessened(recorded, hand, coupling), Lessened::limited) << i;
+  }
 }
 
 TEST_F(LessenedTest, a_whole_force_below_its_limit_is_lessened_by_nothing) {
