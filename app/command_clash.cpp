@@ -168,6 +168,8 @@ void note(const std::vector<Clash>& found, std::size_t parts) {
   };
   std::cerr << "sonde: " << parts << " parts: " << count(Clash::Kind::overlapping)
             << " pairs overlap, " << count(Clash::Kind::touching) << " touch";
+  if (const auto fits = std::ranges::count(found, true, &Clash::fit))
+    std::cerr << " (" << fits << " of them in a fit: their depth is the way out)";
   if (const auto failed = count(Clash::Kind::failed)) std::cerr << ", " << failed << " failed";
   std::cerr << '\n';
 }
@@ -241,8 +243,9 @@ Command add_clash_command(CLI::App& program) {
       ->check(check_not_negative)
       ->capture_default_str();
   parser
-      ->add_option("--allowance", flags->options.allowance,
-                   "overlaps no deeper than this count as touching, and so do gaps, m")
+      ->add_option(
+          "--allowance", flags->options.allowance,
+          "overlaps that are nowhere deeper than this count as touching, and so do gaps, m")
       ->check(check_not_negative)
       ->capture_default_str();
   parser

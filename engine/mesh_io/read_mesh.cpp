@@ -9,6 +9,7 @@
 #include "engine/mesh_io/assets/asset_readers.hpp"
 #include "engine/mesh_io/mesh_readers.hpp"
 #include "engine/mesh_io/size_remark.hpp"
+#include "engine/mesh_io/unit_remark.hpp"
 
 namespace sonde {
 namespace {
@@ -79,6 +80,12 @@ PolygonSoup read(MeshFormat format, const std::string& file, std::string_view by
   return read_stl(file, bytes, progress);
 }
 
+/// Where files of a format that has no unit may name one all the same.
+UnitPlace unit_place_of(MeshFormat format) {
+  if (format == MeshFormat::stl) return UnitPlace::stl_header;
+  return format == MeshFormat::ply ? UnitPlace::ply_header : UnitPlace::comments;
+}
+
 }  // namespace
 
 bool has_own_unit(const std::filesystem::path& path) {
@@ -96,7 +103,8 @@ PolygonSoup read_mesh(const std::filesystem::path& path, double scale, const Pro
       x *= scale;
       if (!x.allFinite()) throw InputError::in(file, "a coordinate is not finite once scaled");
     }
-    // A unit that the file states is no guess of the user's: no other is offered.
+    if (!has_own_unit(path)) remark_on_unit(soup, unit_place_of(format), bytes, scale);
+    // A unit that the format states is no guess of the user's: no other is offered.
     remark_on_size(soup, has_own_unit(path) ? 0 : scale);
     report(progress, 1);
     return soup;

@@ -5,6 +5,7 @@
 
 #include "engine/base/round_to_nearest.hpp"
 #include "engine/body/body.hpp"
+#include "engine/proximity/queries/covered.hpp"
 #include "engine/proximity/queries/inside.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/queries/point_distance.hpp"
@@ -36,7 +37,7 @@ bool inside(const Body& body, const Vec3& x) {
 SurfacePoint nearest_point(const Body& body, const Vec3& x) {
   const RoundToNearest round_to_nearest;
   check(x, "the point");
-  const NearestPoint found = nearest_point(body, x, 0);
+  const NearestPoint found = nearest_outside(body, x);
   return {found.point, normal_of(body, found.triangle), found.distance};
 }
 

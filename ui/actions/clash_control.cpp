@@ -97,7 +97,9 @@ void ClashControl::show(std::size_t index) {
   place.text =
       QStringLiteral("%1 – %2: %3 %4")
           .arg(QString::fromStdString(a.name), QString::fromStdString(b.name), unit.text(length),
-               clash.kind == Clash::Kind::clear ? QStringLiteral("clear") : QStringLiteral("deep"));
+               clash.kind == Clash::Kind::clear ? QStringLiteral("clear")
+               : clash.fit                      ? QStringLiteral("to the way out of the fit")
+                                                : QStringLiteral("deep"));
   flight_.show(place);
 }
 

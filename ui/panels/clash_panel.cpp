@@ -58,7 +58,8 @@ ClashPanel::ClashPanel(QWidget* parent)
                           QStringLiteral("Way out")});
   rows_->headerItem()->setToolTip(
       clash_length, QStringLiteral("How deep they overlap, by the least motion that "
-                                   "parts them; their distance where they are clear"));
+                                   "parts them; their distance where they are clear. "
+                                   "Of parts that touch and fit, the way out of the fit"));
   rows_->headerItem()->setToolTip(clash_bound,
                                   QStringLiteral("A certified lower bound of the depth"));
   rows_->headerItem()->setToolTip(
@@ -128,6 +129,8 @@ void ClashPanel::show_clashes(const std::vector<AssemblyPart>& parts,
     row->setText(clash_bound, optional_text(clash.lower_bound, unit_));
     row->setText(clash_way, clash.kind == Clash::Kind::failed ? QString::fromUtf8(clash.reason)
                                                               : way_out_text(clash, parts, unit_));
+    if (clash.kind == Clash::Kind::overlapping)
+      row->setToolTip(clash_state, QString::fromUtf8(clash.reason));
     rows_->addTopLevelItem(row);
   }
   const auto count = [&](Clash::Kind kind) {

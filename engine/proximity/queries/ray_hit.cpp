@@ -4,6 +4,7 @@
 #include <bit>
 #include <utility>
 
+#include "engine/proximity/queries/covered.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/queries/point_distance.hpp"
 
@@ -75,8 +76,9 @@ std::optional<RayHit> first_hit(const Body& body, const Vec3& from, const Vec3& 
     if (child & Tree::triangle_bit) {
       const std::uint32_t triangle = child & ~Tree::triangle_bit;
       const auto distance = distance_to(ray, corners(soup, triangle));
-      if (distance && (!nearest || *distance < nearest->distance))
-        nearest = RayHit{*distance, triangle};
+      if (!distance || (nearest && *distance >= nearest->distance)) continue;
+      if (is_covered(body, triangle, from + *distance * direction)) continue;
+      nearest = RayHit{*distance, triangle};
       continue;
     }
     // Skips a box that lies entirely behind the nearest hit.

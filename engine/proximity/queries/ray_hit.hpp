@@ -22,7 +22,9 @@ struct RayHit {
 std::optional<RayHit> ray_hit(const Soup& soup, const Vec3& from, const Vec3& direction,
                               const std::function<bool(const Vec3&)>& counts = {});
 
-/// The same for a body's surface (triangles of surface(body)), with its tree. Never allocates.
+/// The first point at which a ray meets a body's surface (triangles of surface(body)), from either
+/// side, with its tree. What lies within the material (is_covered) is passed through. Never
+/// allocates.
 std::optional<RayHit> first_hit(const Body& body, const Vec3& from, const Vec3& direction);
 
 }  // namespace sonde

@@ -12,10 +12,17 @@
 #include "engine/penetration/search/static_search.hpp"
 #include "engine/penetration/search/trivial_separation.hpp"
 #include "engine/proximity/queries/placement.hpp"
+#include "engine/proximity/queries/violation.hpp"
 #include "engine/study/assembly/box_pairs.hpp"
+#include "engine/study/assembly/fit.hpp"
 
 namespace sonde {
 namespace {
+
+/// Allowances: parts of which a lower bound says that they overlap by so much are not asked whether
+/// they fit. Where the sides of a corner stand out by the allowance, the corner does by more: by √3
+/// of it, if they are square to each other.
+constexpr double plainly_more = 4;
 
 /// The box of a part in the world, larger on every side by a margin.
 AxisBox box_of(const AssemblyPart& part, double margin) {
@@ -43,6 +50,28 @@ std::optional<Vec3> middle_of(const ContactSet& contacts) {
   return sum / weight;
 }
 
+/// A point in the middle of where triangles touch, in the fixed frame: where two parts touch in an
+/// area, no contact need hold the way out.
+std::optional<Vec3> middle_of_touching(const Body& probe, const Body& fixed, const Pose& X_FM,
+                                       double touching) {
+  std::vector<Violation> found(256);  // a place to look at needs no more of them
+  Effort unlimited;
+  const Transform X(X_FM);
+  found.resize(find_violations(probe, fixed, X, touching, found, unlimited));
+  if (found.empty()) return std::nullopt;
+  std::vector<Vec3> at;
+  Vec3 sum = Vec3::Zero();
+  for (const Violation& v : found) {
+    const ClosestPoints points = closest_points(place(X, corners(surface(probe), v.triangle_a)),
+                                                corners(surface(fixed), v.triangle_b));
+    sum += at.emplace_back(0.5 * (points.a + points.b));
+  }
+  // The middle of a ring would be where nothing is.
+  const Vec3 middle = sum / static_cast<double>(at.size());
+  return *std::ranges::min_element(at, {},
+                                   [&](const Vec3& x) { return (x - middle).squaredNorm(); });
+}
+
 /// The depth of the probe moved into contact. A separated pose keeps a clearance of 1e-4 of the
 /// depth; the correction is of first order in that, since λ is the derivative of σ/2 with respect
 /// to a gap.
@@ -53,9 +82,19 @@ double without_gaps(const Separation& found) {
   return std::clamp(found.depth - less / found.depth, found.lower_bound.value_or(0), found.depth);
 }
 
+/// A depth above the allowance may be the way out of a fit.
+void judge_fit(Clash& out, Fits::Answer answer, bool allowance_asked) {
+  out.fit = answer == Fits::Answer::fit;
+  if (out.fit) out.kind = Clash::Kind::touching;
+  if (answer == Fits::Answer::unknown && allowance_asked)
+    out.reason =
+        "the overlap was not compared with the allowance: neither part can be taken smaller by it "
+        "(too thin, or a surface)";
+}
+
 /// The smaller of the two parts is the probe: it is the one that a person would move.
 Clash clash_of(const std::vector<AssemblyPart>& parts, std::array<std::size_t, 2> pair,
-               const ClashOptions& options) {
+               const ClashOptions& options, Fits& fits) {
   Clash out;
   out.parts = pair;
   const bool second = parts[pair[1]].body->mass.radius < parts[pair[0]].body->mass.radius;
@@ -87,8 +126,13 @@ Clash clash_of(const std::vector<AssemblyPart>& parts, std::array<std::size_t, 2
   out.depth = without_gaps(found);
   out.lower_bound = found.lower_bound;
   out.separated = fixed.X_WM * found.separated;
-  if (const auto middle = middle_of(found.contacts)) out.place = fixed.X_WM * *middle;
+  auto middle = middle_of(found.contacts);
+  if (!middle) middle = middle_of_touching(*probe.body, *fixed.body, X_FM, touching);
+  if (middle) out.place = fixed.X_WM * *middle;
   out.kind = found.depth <= touching ? Clash::Kind::touching : Clash::Kind::overlapping;
+  if (out.kind == Clash::Kind::overlapping &&
+      !(found.lower_bound.value_or(0) > plainly_more * touching))
+    judge_fit(out, fits.ask(*probe.body, *fixed.body, X_FM, touching), options.allowance > 0);
   return out;
 }
 
@@ -117,12 +161,13 @@ std::vector<Clash> clashes(const std::vector<AssemblyPart>& parts, const ClashOp
   const auto pairs = pairs_that_meet(boxes);
   report(progress, 0);
 
+  Fits fits;
   std::vector<Clash> all;
   all.reserve(pairs.size());
   std::size_t done = 0;
   run_in_order(
       pairs.size(), options.threads,
-      [&](std::size_t i) { return clash_of(parts, pairs[i], options); },
+      [&](std::size_t i) { return clash_of(parts, pairs[i], options, fits); },
       [&](std::size_t, const Clash& clash) {
         all.push_back(clash);
         report(progress, static_cast<double>(++done) / static_cast<double>(pairs.size()));

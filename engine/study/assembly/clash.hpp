@@ -30,19 +30,23 @@ struct Clash {
   /// themselves (`separated` keeps a clearance from them); otherwise none.
   std::optional<double> depth, lower_bound;
   std::optional<double> clearance;  ///< m: least distance, if they are clear of each other
-  /// The closest point, or the centroid of the contacts that hold the way out, world frame, m. None
-  /// if a search found no contact.
+  /// The closest point, the centroid of the contacts that hold the way out, or the middle of where
+  /// they touch; world frame, m.
   std::optional<Vec3> place;
   std::size_t moved = 0;          ///< which of the two is moved by the way out: the smaller one
   std::optional<Pose> separated;  ///< its pose X_WM out of the overlap
-  const char* reason = "";        ///< why it failed
+  /// They touch, but are held: they overlap nowhere by more than the allowance (Fits), and `depth`,
+  /// which is more, is the way out of the fit.
+  bool fit = false;
+  /// Why it failed; if they overlap, why that was not compared with the allowance. Otherwise empty.
+  const char* reason = "";
 };
 /// "overlapping", "touching", "clear" or "failed".
 const char* name_of(Clash::Kind kind);
 
 struct ClashOptions {
-  /// m: overlaps up to this depth, and gaps up to this width, count as touching. Values below the
-  /// rounding of coordinates always do.
+  /// m: overlaps that are nowhere deeper, and gaps up to this width, count as touching. Values
+  /// below the rounding of coordinates always do.
   double allowance = 0;
   /// m: pairs with a larger clearance are left out.
   double within = 0;

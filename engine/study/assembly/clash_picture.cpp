@@ -116,7 +116,10 @@ std::string length_text(double metres) { return number_text(metres * mm_of_metre
 
 std::string words(const Clash& clash) {
   std::string text = name_of(clash.kind);
-  if (clash.depth) text += ", " + length_text(*clash.depth) + " deep";
+  if (clash.depth && clash.fit)
+    text += ", and held: the way out is " + length_text(*clash.depth);
+  else if (clash.depth)
+    text += ", " + length_text(*clash.depth) + " deep";
   if (clash.lower_bound) text += ", at least " + length_text(*clash.lower_bound);
   if (clash.clearance) text += ", " + length_text(*clash.clearance) + " apart";
   if (clash.kind == Clash::Kind::failed) text += std::string(": ") + clash.reason;

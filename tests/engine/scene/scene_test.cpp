@@ -86,6 +86,23 @@ TEST(Scene, everything_is_read) {
   EXPECT_LT((relative.p - Vec3(-9e-3, 2e-3, 3e-3)).norm(), 1e-15);
 }
 
+// Reference: the manual. The same part at the same place, with poses in its own frame or in the
+// world.
+TEST(Scene, poses_are_in_the_frame_of_a_fixed_mesh_or_in_the_world_of_a_list_of_parts) {
+  const TempFolder folder;
+  const auto probe_in_fixed = [&](const std::string& fixed) {
+    return relative_pose(read_scene(folder.write(
+        "s.sonde.json",
+        R"({"probe": {"mesh": "a.off", "pose": [1, 2, 3, 1, 0, 0, 0]}, "fixed": )" + fixed + "}")));
+  };
+  const std::string turned = R"({"mesh": "b.off", "pose": [10, 0, 0, 0, 0, 0, 1]})";
+  const Pose in_mesh = probe_in_fixed(turned), in_world = probe_in_fixed("[" + turned + "]");
+  EXPECT_LT((in_mesh.p - Vec3(9, -2, 3)).norm(), 1e-15) << "half a turn about z";
+  EXPECT_LT((in_world.p - Vec3(1, 2, 3)).norm(), 1e-15);
+  for (const char* whole : {R"({"mesh": "b.off"})", R"([{"mesh": "b.off"}])"})
+    EXPECT_LT((probe_in_fixed(whole).p - in_world.p).norm(), 1e-15) << whole;
+}
+
 TEST(Scene, an_allowance_takes_the_probe_smaller_and_a_safety_larger) {
   const TempFolder folder;
   const auto offset = [&](const std::string& line) {

@@ -75,6 +75,23 @@ TEST(Clash, plates_are_as_deep_as_they_were_put) {
   EXPECT_EQ(clashes(parts, {}).size(), 4u) << "what is clear is left out";
 }
 
+// Reference: the circle at which one ring lies on the other; the line along which a round part lies
+// on a plate.
+TEST(Clash, parts_that_touch_say_where) {
+  for (const auto& [major, minor] : {std::pair{1.0, 0.2}, {0.05, 0.02}, {3.0, 0.1}})
+    for (const int steps : {8, 24}) {
+      const PolygonSoup ring = test::torus(major, minor, 2 * steps, steps);
+      const auto found = clashes(
+          {part("below", ring, Vec3::Zero()), part("above", ring, Vec3(0, 0, 2 * minor))}, {});
+      ASSERT_EQ(found.size(), 1u);
+      EXPECT_EQ(found[0].kind, Clash::Kind::touching);
+      EXPECT_FALSE(found[0].fit);
+      ASSERT_TRUE(found[0].place) << major;
+      EXPECT_NEAR(found[0].place->z(), minor, 1e-9 * major);
+      EXPECT_NEAR(found[0].place->head<2>().norm(), major, minor) << "on the rings";
+    }
+}
+
 // Reference: the exact test of every pair.
 TEST(Clash, no_pair_that_overlaps_is_missed_wherever_the_parts_are) {
   std::mt19937_64 random(2);
