@@ -91,6 +91,8 @@ void say_remarks_on(const Body& body, const std::string& name) {
 std::vector<std::string> remarks_on(const Pair& pair) {
   std::vector<std::string> remarks{remark_on("the probe", pair.probe()),
                                    remark_on("the fixed body", pair.fixed())};
+  if (const std::string& mass = pair.probe().mass_why; !mass.empty())
+    remarks.push_back("the probe has its mass " + mass);
   if (const std::string words = offset_words(pair.probe().offset); !words.empty())
     remarks.push_back("the probe is " + words);
   std::erase(remarks, "");

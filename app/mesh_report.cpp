@@ -132,6 +132,7 @@ std::string text_of(const MeshReport& report) {
   text += plain("model", std::string(body.solid ? "solid" : "surface") + " (" + body.why + ")");
   text += mass.by_volume ? plain("volume V", text_of(mass.measure) + " m³")
                          : plain("area A", text_of(mass.measure) + " m²");
+  if (!body.mass_why.empty()) text += plain("mass", body.mass_why);
   text += plain("centre of mass", text_of(mass.com) + " m");
   const std::string inertia = mass.by_volume ? "inertia Î = I/V" : "inertia Î = I/A";
   text += line(inertia, 15, text_of(mass.inertia) + " m²");  // Î is two bytes, one letter
@@ -163,6 +164,7 @@ Json json_of(const MeshReport& report) {
   json["model"] = body.solid ? "solid" : "surface";
   json["why"] = body.why;
   json[mass.by_volume ? "volume" : "area"] = mass.measure;
+  if (!body.mass_why.empty()) json["mass_why"] = body.mass_why;
   json["center_of_mass"] = json_of(mass.com);
   json["inertia"] = json_of(mass.inertia);
   for (int i = 0; i < 3; ++i) json["principal_axes"].push_back(json_of(Vec3(mass.R_MP.col(i))));

@@ -116,6 +116,7 @@ BodyFacts facts(const Body& body) {
           .degenerate = body.degenerate,
           .solid = body.solid,
           .why = body.why,
+          .mass_why = body.mass_why,
           .turned = body.turned,
           .repairs = body.repairs,
           .mended = sentences_of(sentences(body.repairs)),

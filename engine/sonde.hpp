@@ -104,10 +104,14 @@ struct BodyFacts {
   std::size_t degenerate = 0;  ///< triangles set aside because they have no area
   bool solid = false;          ///< its interior counts, not only its triangles
   std::string why;             ///< why it is a solid or a surface: "closed: the inside counts", ...
-  bool turned = false;         ///< the mesh was inside out
-  Repairs repairs;             ///< what was done so that it has an inside, counted
-  Sentences mended;            ///< the same in words, a sentence each
-  Sentences remarks;           ///< what is odd about the file and was read all the same
+  /// By what its mass is, where some of its parts are closed and others open ("by area: 97 % of the
+  /// area belongs to open parts"); else empty. It is by area where the open ones have more than 1
+  /// %.
+  std::string mass_why;
+  bool turned = false;  ///< the mesh was inside out
+  Repairs repairs;      ///< what was done so that it has an inside, counted
+  Sentences mended;     ///< the same in words, a sentence each
+  Sentences remarks;    ///< what is odd about the file and was read all the same
   /// At density 1, in the mesh frame. The object norm uses it, and torques are about its centre of
   /// mass.
   MassProperties mass;

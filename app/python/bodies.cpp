@@ -297,6 +297,9 @@ void declare_body(py::module_& module) {
       .def_property_readonly(
           "why", [](const SharedBody& b) { return b.facts.why; }, "Why it is a solid or a surface.")
       .def_property_readonly(
+          "mass_why", [](const SharedBody& b) { return b.facts.mass_why; },
+          "By what its mass is, and why, where it has open parts beside closed ones; else empty.")
+      .def_property_readonly(
           "mended",
           [](const SharedBody& b) {
             return std::vector(b.facts.mended.begin(), b.facts.mended.end());
@@ -304,7 +307,11 @@ void declare_body(py::module_& module) {
           "What was done so that it has an inside, a sentence each.")
       .def_property_readonly(
           "measure", [](const SharedBody& b) { return b.facts.mass.measure; },
-          "Volume of a solid, m^3; area of a surface, m^2.")
+          "Volume, m^3, where by_volume; else area, m^2.")
+      .def_property_readonly(
+          "by_volume", [](const SharedBody& b) { return b.facts.mass.by_volume; },
+          "Whether its mass is by volume: that of a surface is by area, and that of a solid of\n"
+          "which more than 1 % of the area belongs to open parts.")
       .def_property_readonly(
           "centre_of_mass", [](const SharedBody& b) { return three(b.facts.mass.com); },
           "Centre of mass in the mesh frame, m, shape (3,).")

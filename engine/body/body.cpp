@@ -152,6 +152,7 @@ std::shared_ptr<const Body> with_surface(const Body& nominal, Soup soup, Soup ca
   body->name = nominal.name;
   body->solid = nominal.solid;
   body->why = nominal.why;
+  body->mass_why = nominal.mass_why;
   body->turned = nominal.turned;
   body->repairs = nominal.repairs;
   body->places = nominal.places;
@@ -173,6 +174,7 @@ std::shared_ptr<const Body> with_surface(const Body& nominal, Soup soup, Soup ca
 std::shared_ptr<const Body> with_other_mass(const Body& body, const MassProperties& mass) {
   auto out = std::make_shared<Body>(body);
   out->mass = mass;
+  out->mass_why.clear();
   out->mass.by_volume = body.mass.by_volume;
   out->mass.radius = radius_about(surface(body), mass.com);
   if (body.outline) {
@@ -190,7 +192,7 @@ std::shared_ptr<const Body> with_parts(const Body& body, std::vector<BodyPart> p
 }
 
 std::size_t bytes(const Body& body) {
-  return sizeof(Body) + body.name.capacity() + body.why.capacity() +
+  return sizeof(Body) + body.name.capacity() + body.why.capacity() + body.mass_why.capacity() +
          capacity_bytes(body.soup.vertices) + capacity_bytes(body.soup.triangles) +
          capacity_bytes(body.facets.vertices) + capacity_bytes(body.facets.triangles) +
          capacity_bytes(body.caps.vertices) + capacity_bytes(body.caps.triangles) +

@@ -37,7 +37,10 @@ struct Body {
   /// The body has an interior (winding number of the triangles that are not loose ≠ 0); otherwise
   /// only its triangles count.
   bool solid = false;
-  std::string why;      ///< "closed", "12 open edges: the inside does not count", ...
+  std::string why;  ///< "closed", "12 open edges: the inside does not count", ...
+  /// Which mass was taken and why, where it has open parts beside closed ones ("by area: 97 % of
+  /// the area belongs to open parts"); empty otherwise.
+  std::string mass_why;
   bool turned = false;  ///< the whole mesh was inside out, and has been turned
   Repairs repairs;      ///< repairs that gave it an inside
   RepairPlaces places;  ///< places of the repairs

@@ -8,6 +8,7 @@
 
 #include "engine/base/progress.hpp"
 #include "engine/base/threads.hpp"
+#include "engine/body/mass_rule.hpp"
 #include "engine/geometry/mass_integrals.hpp"
 #include "engine/mending/region_mass.hpp"
 #include "engine/text/counted.hpp"
@@ -132,7 +133,10 @@ std::vector<TriangleKind> choose_mended(Body& body, const Soup& all, Model asked
                      body.repairs.solid_parts == body.repairs.parts;
   const MassProperties sum =
       mass_by_volume(sound ? body.soup : mended.solid.soup, part_of(progress, 0.95, 1));
-  if (!take_mass(body, by_area, sum, region)) body.why = "closed but flat (no volume)";
+  if (!take_mass(body, by_area, sum, region))
+    body.why = "closed but flat (no volume)";
+  else
+    choose_mass(body, open_share(mended, all.vertices));
   body.cracked = mended.cracked;
   if (body.cracked) body.joined = compacted(std::move(mended.solid.soup));
   body.turned = body.repairs.turned_parts > 0 && body.repairs.turned_parts == body.repairs.parts;

@@ -5,10 +5,11 @@
 
 namespace sonde {
 
-/// Mass properties at density 1 (by volume for a solid, by area for a surface).
+/// Mass properties at density 1.
 struct MassProperties {
-  bool by_volume = false;  ///< true for a solid; false for a surface, by area
-  /// V: volume in m³ or area in m²; a solid's is signed (negative: inside out).
+  /// By volume, for a solid; by area for a surface, and for a solid with open parts of consequence.
+  bool by_volume = false;
+  /// V: volume in m³ or area in m²; a volume is signed (negative: inside out).
   double measure = 0;
   Vec3 com = Vec3::Zero();  ///< centre of mass in the mesh frame, m
   /// Rotation from principal axes to mesh axes. Its columns are the principal axes, with ascending

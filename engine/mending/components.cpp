@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "engine/base/ordering.hpp"
 #include "engine/base/progress.hpp"
 #include "engine/geometry/topology.hpp"
 #include "engine/geometry/union_find.hpp"
@@ -18,16 +19,16 @@ namespace {
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 /// For each polygon, the number of its piece; pieces are in the order of their first polygons.
-std::vector<std::uint32_t> pieces(const PolygonSoup& soup, const Progress& progress) {
-  const std::vector<std::uint32_t> place = weld(soup.points, part_of(progress, 0, 0.6));
+std::vector<std::uint32_t> pieces(const PolygonSoup& soup, const std::vector<std::uint32_t>& place,
+                                  const Progress& progress) {
   UnionFind sets(soup.points.size());
-  for_each_index(soup.polygons.size(), part_of(progress, 0.6, 0.8), [&](std::size_t i) {
+  for_each_index(soup.polygons.size(), part_of(progress, 0, 0.5), [&](std::size_t i) {
     for (const std::size_t corner : soup.polygons[i])
       sets.join(place[soup.polygons[i].front()], place[corner]);
   });
   std::vector<std::uint32_t> number(soup.points.size(), none), piece(soup.polygons.size(), none);
   std::uint32_t count = 0;
-  for_each_index(soup.polygons.size(), part_of(progress, 0.8, 1), [&](std::size_t i) {
+  for_each_index(soup.polygons.size(), part_of(progress, 0.5, 1), [&](std::size_t i) {
     if (soup.polygons[i].empty()) return;
     std::uint32_t& of_set = number[sets.find(place[soup.polygons[i].front()])];
     if (of_set == none) of_set = count++;
@@ -127,21 +128,94 @@ std::vector<std::uint32_t> owners(const std::vector<PolygonSoup>& pieces,
   return owner;
 }
 
+/// A polygon's corners by their places, the lowest first.
+std::vector<std::uint32_t> places_in_turn(const Polygon& polygon,
+                                          const std::vector<std::uint32_t>& place) {
+  std::vector<std::uint32_t> out;
+  out.reserve(polygon.size());
+  for (const std::size_t corner : polygon) out.push_back(place[corner]);
+  std::rotate(out.begin(), std::ranges::min_element(out), out.end());
+  return out;
+}
+
+/// A polygon, and a number that only alike ones have, but for accidents.
+struct KeyedPolygon {
+  std::uint64_t key;
+  std::uint32_t polygon;
+};
+
+std::vector<KeyedPolygon> keyed_polygons(const PolygonSoup& soup,
+                                         const std::vector<std::uint32_t>& place,
+                                         const Progress& progress) {
+  std::vector<KeyedPolygon> out;
+  for_each_index(soup.polygons.size(), progress, [&](std::size_t i) {
+    if (soup.polygons[i].empty()) return;
+    std::uint64_t key = 0xcbf29ce484222325;  // FNV
+    for (const std::uint32_t at : places_in_turn(soup.polygons[i], place))
+      key = (key ^ at) * 0x100000001b3;
+    out.push_back({key, static_cast<std::uint32_t>(i)});
+  });
+  ordering::sort(out.begin(), out.end(), [](const KeyedPolygon& a, const KeyedPolygon& b) {
+    return a.key != b.key ? a.key < b.key : a.polygon < b.polygon;
+  });
+  return out;
+}
+
+/// For each polygon, how many alike ones (the same corners, the same way round) come before it in
+/// the file; and for each component how often all of it is there: 1 if some of it is there more
+/// often than the rest.
+struct Copies {
+  std::vector<std::uint32_t> before, times;
+};
+
+Copies find_copies(const PolygonSoup& soup, const std::vector<std::uint32_t>& place,
+                   const std::vector<std::uint32_t>& component, std::size_t components,
+                   const Progress& progress) {
+  Copies out{std::vector<std::uint32_t>(soup.polygons.size(), 0),
+             std::vector<std::uint32_t>(components, 0)};
+  const std::vector<KeyedPolygon> all = keyed_polygons(soup, place, progress);
+  for (std::size_t i = 0, j = 0; i < all.size(); i = j) {
+    const auto first = places_in_turn(soup.polygons[all[i].polygon], place);
+    bool alike = true;
+    for (j = i; j < all.size() && all[j].key == all[i].key; ++j) {
+      out.before[all[j].polygon] = static_cast<std::uint32_t>(j - i);
+      alike = alike && places_in_turn(soup.polygons[all[j].polygon], place) == first;
+    }
+    std::uint32_t& times = out.times[component[all[i].polygon]];
+    const auto found = static_cast<std::uint32_t>(j - i);
+    times = alike && (times == 0 || times == found) ? found : 1;
+  }
+  return out;
+}
+
+/// Numbers the polygons anew: by their pieces' owners, and apart what is there several times, in
+/// the order of first polygons (a cavity may come before its piece).
+void renumber(std::vector<std::uint32_t>& piece, const std::vector<std::uint32_t>& owner,
+              const Copies& copies) {
+  std::vector<std::vector<std::uint32_t>> number(owner.size());
+  std::uint32_t count = 0;
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    if (piece[i] == none) continue;
+    const std::uint32_t own = owner[piece[i]];
+    number[own].resize(copies.times[own], none);
+    std::uint32_t& of_copy = number[own][copies.times[own] > 1 ? copies.before[i] : 0];
+    if (of_copy == none) of_copy = count++;
+    piece[i] = of_copy;
+  }
+}
+
 }  // namespace
 
 std::vector<PolygonSoup> components_of(const PolygonSoup& soup, const Progress& progress) {
-  std::vector<std::uint32_t> piece = pieces(soup, part_of(progress, 0, 0.3));
+  const std::vector<std::uint32_t> place = weld(soup.points, part_of(progress, 0, 0.15));
+  std::vector<std::uint32_t> piece = pieces(soup, place, part_of(progress, 0.15, 0.3));
   const std::vector<std::uint32_t> owner =
-      owners(taken_apart(soup, piece), part_of(progress, 0.3, 0.9));
-  // A cavity may come before its piece: renumber in the order of first polygons.
-  std::vector<std::uint32_t> number(owner.size(), none);
-  std::uint32_t count = 0;
-  for (std::uint32_t& p : piece) {
-    if (p == none) continue;
-    std::uint32_t& of_owner = number[owner[p]];
-    if (of_owner == none) of_owner = count++;
-    p = of_owner;
-  }
+      owners(taken_apart(soup, piece), part_of(progress, 0.3, 0.8));
+  std::vector<std::uint32_t> owned(piece);
+  for (std::uint32_t& p : owned)
+    if (p != none) p = owner[p];
+  renumber(piece, owner,
+           find_copies(soup, place, owned, owner.size(), part_of(progress, 0.8, 0.9)));
   std::vector<PolygonSoup> out = taken_apart(soup, piece);
   if (!out.empty()) out.front().remarks = soup.remarks;
   return out;

@@ -38,6 +38,7 @@ Distinct find_distinct(const Soup& soup, const Progress& progress) {
   Distinct out;
   out.by.assign(soup.triangles.size(), Distinct::none);
   out.backs.assign(soup.triangles.size(), false);
+  out.both_ways.assign(soup.triangles.size(), false);
   for (const SameTriangles& same : all) {
     const bool whole = common[same.component] == 0 && same.wanted > 0;  // each has an opposite one
     const bool even = same.net() == 0 ? entries[same.begin].even : same.net() > 0;
@@ -49,6 +50,7 @@ Distinct find_distinct(const Soup& soup, const Progress& progress) {
       if (stays) last = i, --wanted;
       out.by[i] = stays ? i : last;
       out.repeated += !stays;
+      out.both_ways[i] = stays && same.net() == 0;
       out.backs[i] = (whole || same.once) && !stays;
     }
     for (std::size_t k = same.begin; k < same.end; ++k)  // those before the first that stays

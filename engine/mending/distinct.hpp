@@ -20,6 +20,8 @@ struct Distinct {
   /// Triangles that are left out as copies of one that stays: of components in which each triangle
   /// has an opposite one, as in an export of both sides; and those repeated by accident.
   std::vector<bool> backs;
+  /// Triangles that stay of as many in each orientation: which of the two is no one's intention.
+  std::vector<bool> both_ways;
   std::size_t repeated = 0;  ///< triangles that do not stay
 };
 

@@ -19,6 +19,8 @@ namespace {
 /// Share of what is seen of a part from all around: if its openings have a smaller share, most of
 /// the part bounds an inside, and the user is told that it is nevertheless treated as a surface.
 constexpr double most_doubtful = 0.25;
+/// Times the size of a triangle: how far beside a wall it is looked which side is inside.
+constexpr double beside_wall = 1e-4;
 
 class Mender {
  public:
@@ -75,10 +77,18 @@ class Mender {
     }
     const bool all = std::find(solid_.begin(), solid_.end(), false) == solid_.end();
     out_.solid = all ? std::move(sealed) : parts_of(sealed, solid_);
+    note_both_ways();
     turn_ = parts_to_turn(out_.solid, facts_, solid_, progress);
     for (std::size_t i = 0; i < out_.solid.part.size(); ++i)
       if (turn_[out_.solid.part[i]])
         std::swap(out_.solid.soup.triangles[i][1], out_.solid.soup.triangles[i][2]);
+  }
+
+  void note_both_ways() {
+    for (PartFacts& part : facts_) part.both_ways = true;
+    for (std::size_t i = 0; i < soup_.triangles.size(); ++i)
+      if (distinct_.by[i] == i && !distinct_.both_ways[i])
+        facts_[orientation_.part[number_[i]]].both_ways = false;
   }
 
   /// Outputs the triangles used for contact.
@@ -126,25 +136,36 @@ class Mender {
   }
 
   /// Of pairs that cancel, those with the inside on both sides are unreachable walls; the others
-  /// are fins, which can be touched.
+  /// can be touched, and are fins if both of their sides are outside.
   void hide_walls() {
+    out_.fins.assign(out_.triangles.size(), false);
     std::vector<PartPoint> middles;
     std::vector<std::size_t> walls;
     const auto& x = soup_.vertices;
     for (std::size_t i = 0; i < out_.triangles.size(); ++i) {
       if (out_.parts[i] != Mended::no_part) continue;
       const Triangle& t = out_.triangles[i];
-      middles.push_back({(x[t[0]] + x[t[1]] + x[t[2]]) / 3, Mended::no_part});
+      const Vec3 middle = (x[t[0]] + x[t[1]] + x[t[2]]) / 3,
+                 normal = (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]);
+      const Vec3 off = beside_wall * normal / std::sqrt(std::max(normal.norm(), 1e-300));
+      for (const Vec3& at : {middle, Vec3(middle + off), Vec3(middle - off)})
+        middles.push_back({at, Mended::no_part});
       walls.push_back(i);
     }
     if (walls.empty() || out_.solid.soup.triangles.empty()) return;
     const std::vector<PartWindings> around = part_windings(out_.solid, middles);
-    for (std::size_t k = 0; k < walls.size(); ++k) {
+    const auto is_inside = [&](std::size_t k) {
       int winding = 0;
       for (const auto& [part, times] : around[k]) winding += times;
-      if (winding == 0) continue;
-      out_.kinds[walls[k]] = TriangleKind::hidden;
-      out_.as_given = false;
+      return winding != 0;
+    };
+    for (std::size_t k = 0; k < walls.size(); ++k) {
+      if (is_inside(3 * k)) {
+        out_.kinds[walls[k]] = TriangleKind::hidden;
+        out_.as_given = false;
+      } else {
+        out_.fins[walls[k]] = !is_inside(3 * k + 1) && !is_inside(3 * k + 2);
+      }
     }
   }
 

@@ -33,6 +33,9 @@ struct Mended {
   std::vector<TriangleKind> kinds;
   std::vector<std::uint32_t> parts;  ///< for each triangle: its part, or no_part
   static constexpr std::uint32_t no_part = std::numeric_limits<std::uint32_t>::max();
+  /// For each triangle, whether it is one of a pair that cancels with the outside on both sides: of
+  /// a sheet that is there both ways round, at a solid.
+  std::vector<bool> fins;
   /// The closed parts whose inside counts, for mass (Region); empty if the body is a surface.
   Sealed solid;
   /// Cracks and cuts are closed by index only: a ray may slip through between the triangles.

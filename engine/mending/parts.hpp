@@ -42,11 +42,12 @@ inline constexpr PartTuning part_tuning;
 struct PartFacts {
   std::size_t triangles = 0;  ///< without caps
   std::size_t caps = 0;
-  std::size_t torn = 0;  ///< edges at which triangles cannot agree: it is not two-sided
-  double area = 0;       ///< m², without caps
-  double volume = 0;     ///< m³, signed, with caps
-  bool flat = false;     ///< even with its caps, it bounds no inside
-  double mouth = 0;      ///< largest share of line ends that falls on one cap
+  std::size_t torn = 0;    ///< edges at which triangles cannot agree: it is not two-sided
+  double area = 0;         ///< m², without caps
+  double volume = 0;       ///< m³, signed, with caps
+  bool flat = false;       ///< even with its caps, it bounds no inside
+  bool both_ways = false;  ///< all of it is there in both orientations (set by the mender)
+  double mouth = 0;        ///< largest share of line ends that falls on one cap
   std::uint32_t mouth_cap = Sealed::no_cap;  ///< that cap
   double open = 0;                           ///< share of line ends that falls on caps
   /// Closed to the eye: it bounds an inside unless the user says otherwise.

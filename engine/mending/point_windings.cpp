@@ -57,52 +57,112 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
+/// Where the line through a point passes through a triangle.
+struct PointHit {
+  double height;  ///< m, above the point
+  int sign;       ///< what it adds to the winding number of all below it
+};
+
+/// A sealed soup and points, seen along the lines through the points.
+class PointLines {
+ public:
+  PointLines(const Sealed& sealed, const std::vector<PartPoint>& points)
+      : sealed_(sealed), seen_(sealed.soup.vertices.size()), at_(points.size()) {
+    const Eigen::Matrix3d frame = line_frame(0);
+    Eigen::AlignedBox3d box;
+    for (std::size_t i = 0; i < seen_.size(); ++i) {
+      seen_[i] = frame * sealed.soup.vertices[i];
+      box.extend(seen_[i]);
+    }
+    on_ = on_it * box.sizes().norm();
+    for (std::size_t i = 0; i < points.size(); ++i) at_[i] = frame * points[i].x;
+  }
+
+  double on() const { return on_; }  ///< m: a hit at this height is at the point
+  static Vec3 way() { return line_frame(0).row(2).transpose(); }
+
+  /// Calls use(point, part, hit) for every hit.
+  template <class Use>
+  void each(const Progress& progress, Use use) const {
+    std::vector<Eigen::Vector2d> flat(at_.size());
+    for (std::size_t i = 0; i < at_.size(); ++i) flat[i] = at_[i].head<2>();
+    const Raster raster(flat);
+    for_each_index(sealed_.soup.triangles.size(), progress, [&](std::size_t i) {
+      const Triangle& t = sealed_.soup.triangles[i];
+      const Vec3 &a = seen_[t[0]], &b = seen_[t[1]], &c = seen_[t[2]];
+      const Eigen::Vector2d a2 = a.head<2>(), b2 = b.head<2>(), c2 = c.head<2>();
+      const double all = cross(b2 - a2, c2 - a2);
+      if (all == 0) return;
+      raster.each_in(a2.cwiseMin(b2).cwiseMin(c2), a2.cwiseMax(b2).cwiseMax(c2),
+                     [&](std::uint32_t k) {
+                       const Eigen::Vector2d& p = flat[k];
+                       const double u = cross(b2 - p, c2 - p) / all,
+                                    v = cross(c2 - p, a2 - p) / all, w = 1 - u - v;
+                       if (u < 0 || v < 0 || w < 0) return;
+                       const double height = u * a.z() + v * b.z() + w * c.z() - at_[k].z();
+                       use(k, sealed_.part[i], PointHit{height, all > 0 ? 1 : -1});
+                     });
+    });
+  }
+
+ private:
+  const Sealed& sealed_;
+  std::vector<Vec3> seen_, at_;
+  double on_ = 0;
+};
+
+/// The heights, from that of the surface at 0 on, of the next face above (`up` 1) or below (-1);
+/// 0 where the line leaves the part there.
+double next_face(const std::vector<PointHit>& hits, int up, double on) {
+  int winding = 0;
+  double next = 0;
+  for (const PointHit& hit : hits) {
+    const double height = up * hit.height;
+    if (height <= on) continue;
+    winding += hit.sign;
+    if (next == 0 || height < next) next = height;
+  }
+  return winding == 0 ? 0 : up * next;
+}
+
 }  // namespace
 
 std::vector<PartWindings> part_windings(const Sealed& sealed, const std::vector<PartPoint>& points,
                                         const Progress& progress) {
-  const Eigen::Matrix3d frame = line_frame(0);
-  std::vector<Vec3> seen(sealed.soup.vertices.size());
-  Eigen::AlignedBox3d box;
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    seen[i] = frame * sealed.soup.vertices[i];
-    box.extend(seen[i]);
-  }
-  const double near = on_it * box.sizes().norm();
-  std::vector<Vec3> at(points.size());
-  std::vector<Eigen::Vector2d> flat(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    at[i] = frame * points[i].x;
-    flat[i] = at[i].head<2>();
-  }
-  const Raster raster(flat);
+  const PointLines lines(sealed, points);
   struct Count {
     int winding = 0;
     bool on = false;
   };
   std::vector<std::map<std::uint32_t, Count>> counts(points.size());
-  for_each_index(sealed.soup.triangles.size(), progress, [&](std::size_t i) {
-    const Triangle& t = sealed.soup.triangles[i];
-    const Vec3 &a = seen[t[0]], &b = seen[t[1]], &c = seen[t[2]];
-    const Eigen::Vector2d a2 = a.head<2>(), b2 = b.head<2>(), c2 = c.head<2>();
-    const double all = cross(b2 - a2, c2 - a2);
-    if (all == 0) return;
-    raster.each_in(a2.cwiseMin(b2).cwiseMin(c2), a2.cwiseMax(b2).cwiseMax(c2),
-                   [&](std::uint32_t k) {
-                     const Eigen::Vector2d& p = flat[k];
-                     const double u = cross(b2 - p, c2 - p) / all, v = cross(c2 - p, a2 - p) / all,
-                                  w = 1 - u - v;
-                     if (u < 0 || v < 0 || w < 0) return;
-                     const double height = u * a.z() + v * b.z() + w * c.z() - at[k].z();
-                     Count& count = counts[k][sealed.part[i]];
-                     count.on |= std::abs(height) <= near;
-                     if (height > 0) count.winding += all > 0 ? 1 : -1;
-                   });
+  lines.each(progress, [&](std::uint32_t k, std::uint32_t part, const PointHit& hit) {
+    Count& count = counts[k][part];
+    count.on |= std::abs(hit.height) <= lines.on();
+    if (hit.height > 0) count.winding += hit.sign;
   });
   std::vector<PartWindings> out(points.size());
   for (std::size_t k = 0; k < points.size(); ++k)
     for (const auto& [part, count] : counts[k])
       if (count.winding != 0 && !count.on) out[k].emplace_back(part, count.winding);
+  return out;
+}
+
+std::vector<PartPoint> points_within(const Sealed& sealed, const std::vector<PartPoint>& points,
+                                     double near, const Progress& progress) {
+  const PointLines lines(sealed, points);
+  std::vector<std::vector<PointHit>> own(points.size());
+  lines.each(progress, [&](std::uint32_t k, std::uint32_t part, const PointHit& hit) {
+    if (part == points[k].part) own[k].push_back(hit);
+  });
+  std::vector<PartPoint> out;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    int total = 0;
+    for (const PointHit& hit : own[k]) total += hit.sign;
+    if (total != 0) continue;  // a line along a side, to rounding
+    for (const int up : {1, -1})
+      if (const double next = next_face(own[k], up, lines.on()); next != 0)
+        out.push_back({points[k].x + near * next * PointLines::way(), points[k].part});
+  }
   return out;
 }
 

@@ -24,4 +24,11 @@ using PartWindings = std::vector<std::pair<std::uint32_t, int>>;
 std::vector<PartWindings> part_windings(const Sealed& sealed, const std::vector<PartPoint>& points,
                                         const Progress& progress = {});
 
+/// For each point on a closed part, points strictly inside that part beside it: along a line in
+/// general position, off its surface by `near` of the way to the part's next face. Both ways where
+/// the part is on both sides; none where rounding leaves it open which side is inside. Throws
+/// Cancelled.
+std::vector<PartPoint> points_within(const Sealed& sealed, const std::vector<PartPoint>& points,
+                                     double near, const Progress& progress = {});
+
 }  // namespace sonde

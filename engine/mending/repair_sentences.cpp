@@ -34,6 +34,12 @@ std::vector<std::string> sentences(const Repairs& r) {
     out.push_back(counted(r.caps, "opening") + " closed by " +
                   counted(r.cap_triangles, "triangle") + " of " + number_text(r.cap_area, 3) +
                   " m², the widest " + percent(r.widest_cap) + " of what is seen from outside");
+  if (r.solid_parts > 0 && r.solid_parts < r.parts) {
+    const std::size_t open = r.parts - r.solid_parts;
+    out.push_back(std::to_string(open) + " of " + counted(r.parts, "part") +
+                  (open == 1 ? " stays open: only its triangles count"
+                             : " stay open: only their triangles count"));
+  }
   if (r.torn_parts > 0)
     out.push_back(counted(r.torn_parts, "part") + " of " + std::to_string(r.parts) +
                   " with one side only (non-orientable)");

@@ -53,12 +53,14 @@ OpenCorners open_corners(const Soup& soup, const Uses& uses, const IsOpen& is_op
 /// One attempt to close the open edges with a given reach.
 class Attempt {
  public:
-  Attempt(const Soup& soup, const IsOpen& is_open, const Eigen::AlignedBox3d& box, double reach)
+  Attempt(const Soup& soup, const IsOpen& is_open, const Eigen::AlignedBox3d& box, double reach,
+          double of_edge)
       : soup_(soup),
         is_open_(is_open),
         low_(box.min()),
         diagonal_(box.sizes().norm()),
-        reach_(reach) {}
+        reach_(reach),
+        of_edge_(of_edge) {}
 
   /// `open`: the uses of open edges; `all`: the number of all uses.
   Seams run(const Uses& open, std::size_t all) {
@@ -91,8 +93,8 @@ class Attempt {
     const Vec3 around = Vec3::Constant(reach_);
     for (const std::uint32_t i : corners.vertices)
       grid.each_within(at(i) - around, at(i) + around, [&](std::uint32_t j) {
-        const double near = std::min(
-            reach_, seam_tuning.of_edge * std::min(corners.shortest[i], corners.shortest[j]));
+        const double near =
+            std::min(reach_, of_edge_ * std::min(corners.shortest[i], corners.shortest[j]));
         if (j < i && (at(i) - at(j)).norm() <= near) sets.join(j, i);
       });
     for (const std::uint32_t i : corners.vertices) {
@@ -150,7 +152,7 @@ class Attempt {
       if (!(t > 0 && t < 1)) return;
       const double near =
           std::max(seam_tuning.rounding * diagonal_,
-                   std::min(reach_, seam_tuning.of_edge * std::min(corners.shortest[i], length)));
+                   std::min(reach_, of_edge_ * std::min(corners.shortest[i], length)));
       if ((at(i) - from - t * way).norm() <= near) found.emplace_back(t, i);
     };
     const auto pieces = static_cast<int>(std::ceil(length / grid.cell()));
@@ -183,7 +185,7 @@ class Attempt {
   const Soup& soup_;
   const IsOpen& is_open_;
   Vec3 low_;
-  double diagonal_, reach_;
+  double diagonal_, reach_, of_edge_;
   Seams out_;
 };
 
@@ -195,62 +197,103 @@ double border_length(const Soup& soup, const Uses& uses) {
   return length;
 }
 
-/// `shorter_at_once`: how much shorter cuts alone must make the border, with no corners joined.
-Seams find_seams_by(const Soup& soup, const Uses& uses, const SeamJudge& judge,
-                    double shorter_at_once, const Progress& progress) {
-  Uses open, paired;
-  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
-    Uses& to = judge.open(edge) ? open : paired;
-    to.insert(to.end(), edge.begin(), edge.end());
-  });
-  const Eigen::AlignedBox3d box = box_of(soup);
-  double border = judge.border(open);
-  Seams best;
-  best.label.resize(soup.vertices.size());
-  std::iota(best.label.begin(), best.label.end(), 0u);
-  best.uses = open;
-  const double size = box.sizes().norm(), widest_reach = *std::rbegin(seam_tuning.reaches);
-  const double rounding =
-      std::min(seam_tuning.farthest_rounding * size,
-               seam_tuning.single_precision *
-                   std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()));
-  const auto within = [&](double reach) {
-    const double at_least = reach == widest_reach ? rounding : 0;
-    return Attempt(soup, judge.open, box, std::max(reach * size, at_least)).run(open, uses.size());
-  };
-  report(progress, 0);
-  // If the widest reach finds nothing, no smaller one does.
-  if (border > 0) {
-    const Seams widest = within(widest_reach);
-    best.unsearched = widest.unsearched;
-    if (widest.joined + widest.on_edges == 0) border = 0;
+/// The search for the reach that closes a soup.
+class SeamSearch {
+ public:
+  SeamSearch(const Soup& soup, const Uses& uses, const SeamJudge& judge)
+      : soup_(soup), judge_(judge), all_(uses.size()), box_(box_of(soup)) {
+    for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+      Uses& to = judge.open(edge) ? open_ : paired_;
+      to.insert(to.end(), edge.begin(), edge.end());
+    });
+    border_ = judge.border(open_);
+    best_.label.resize(soup.vertices.size());
+    std::iota(best_.label.begin(), best_.label.end(), 0u);
+    best_.uses = open_;
   }
-  for (const double reach : seam_tuning.reaches) {
-    if (border == 0) break;
-    report(progress, 0.5);
-    Seams tried = within(reach);
-    const double left = judge.border(tried.uses);
-    if (left > (reach > 0 ? seam_tuning.shorter : shorter_at_once) * border) continue;
-    best = std::move(tried);
-    border = left;
+
+  /// `shorter_at_once`: how much shorter cuts alone must make the border, with no corners joined.
+  Seams run(double shorter_at_once, const Progress& progress) {
+    report(progress, 0);
+    if (border_ > 0 && widest_finds_any()) {
+      for (const double reach : seam_tuning.reaches) {
+        if (border_ == 0) break;
+        report(progress, 0.5);
+        Seams tried = within(metres(reach), seam_tuning.of_edge);
+        const double left = judge_.border(tried.uses);
+        if (left <= (reach > 0 ? seam_tuning.shorter : shorter_at_once) * border_)
+          take(std::move(tried), left);
+      }
+      if (border_ > 0 && best_.reach > 0) try_wider(progress);
+    }
+    // Edges that are already paired keep their vertices, whatever the labels of their ends.
+    best_.uses.insert(best_.uses.end(), paired_.begin(), paired_.end());
+    sort_uses(best_.uses, soup_.vertices.size());
+    return std::move(best_);
   }
-  // Edges that are already paired keep their vertices, whatever the labels of their ends.
-  best.uses.insert(best.uses.end(), paired.begin(), paired.end());
-  sort_uses(best.uses, soup.vertices.size());
-  return best;
-}
+
+ private:
+  static double widest() { return *std::rbegin(seam_tuning.reaches); }
+
+  double metres(double reach) const {
+    const double size = box_.sizes().norm();
+    const double rounding =
+        std::min(seam_tuning.farthest_rounding * size,
+                 seam_tuning.single_precision *
+                     std::max(box_.min().cwiseAbs().maxCoeff(), box_.max().cwiseAbs().maxCoeff()));
+    return std::max(reach * size, reach == widest() ? rounding : 0);
+  }
+
+  Seams within(double reach, double of_edge) const {
+    return Attempt(soup_, judge_.open, box_, reach, of_edge).run(open_, all_);
+  }
+
+  /// If the widest reach finds nothing, no smaller one does.
+  bool widest_finds_any() {
+    const Seams widest_found = within(metres(widest()), seam_tuning.of_edge);
+    best_.unsearched = widest_found.unsearched;
+    return widest_found.joined + widest_found.on_edges > 0;
+  }
+
+  void take(Seams found, double border) {
+    best_ = std::move(found);
+    border_ = border;
+  }
+
+  void try_wider(const Progress& progress) {
+    const auto found = [](const Seams& seams) { return seams.joined + seams.on_edges; };
+    for (const double times : seam_tuning.wider) {
+      report(progress, 0.7);
+      const double reach = times * metres(widest());
+      Seams tried = within(reach, seam_tuning.of_edge_wider);
+      const double left = judge_.border(tried.uses);
+      if (left > seam_tuning.shorter * border_) continue;
+      if (left > 0 &&
+          found(within(seam_tuning.further * reach, seam_tuning.of_edge_wider)) != found(tried))
+        continue;
+      return take(std::move(tried), left);
+    }
+  }
+
+  const Soup& soup_;
+  const SeamJudge& judge_;
+  std::size_t all_;  // uses
+  Eigen::AlignedBox3d box_;
+  Uses open_, paired_;
+  double border_ = 0;  // m, of the best so far
+  Seams best_;
+};
 
 }  // namespace
 
 Seams find_seams(const Soup& soup, const Uses& uses, const Progress& progress) {
-  return find_seams_by(soup, uses,
-                       {is_odd, [&](const Uses& left) { return border_length(soup, left); }},
-                       seam_tuning.shorter, progress);
+  const SeamJudge judge{is_odd, [&](const Uses& left) { return border_length(soup, left); }};
+  return SeamSearch(soup, uses, judge).run(seam_tuning.shorter, progress);
 }
 
 Seams find_seams(const Soup& soup, const Uses& uses, const SeamJudge& judge,
                  const Progress& progress) {
-  return find_seams_by(soup, uses, judge, 1 - seam_tuning.rounding, progress);
+  return SeamSearch(soup, uses, judge).run(1 - seam_tuning.rounding, progress);
 }
 
 }  // namespace sonde

@@ -22,6 +22,12 @@ struct SeamTuning {
   /// fifth. The last value is ten times the rounding of a file with six digits; larger gaps stay
   /// open.
   double reaches[4] = {0, 1e-7, 1e-6, 1e-5};
+  /// Times the last reach: tried in this order where that has joined some corners and left others
+  /// open, since errors of about its size make half a body. Such a step is kept only if it closes
+  /// everything, or if one `further` times as wide finds nothing more: then all the cracks are
+  /// narrower than it, and what stays open is far wider.
+  double wider[2] = {3, 10};
+  double further = 3;
   /// Share of the largest coordinate: distance by which rounding to single precision separates
   /// equal points. Far from the origin it exceeds the last reach and replaces it. It is limited to
   /// `farthest_rounding` of the diagonal.
@@ -30,6 +36,8 @@ struct SeamTuning {
   double shorter = 0.8;
   /// Share of the shortest open edge at a corner: a larger reach would close features of that size.
   double of_edge = 0.2;
+  /// The same for the wider reaches, which must be well below all features.
+  double of_edge_wider = 0.02;
   /// Share of the diagonal: tolerance for a point on an edge, from the rounding of coordinates.
   double rounding = 1e-12;
   /// Corners on edges are searched for only if at most this many edges, or a tenth of all, are

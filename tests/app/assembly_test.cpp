@@ -2,6 +2,9 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/app/app_test.hpp"
+#include "tests/engine/mesh_io/mesh_files.hpp"
+#include "tests/support/defects.hpp"
+#include "tests/support/shapes.hpp"
 
 namespace sonde::test {
 namespace {
@@ -66,6 +69,20 @@ TEST_F(Assembly, clash_takes_meshes_apart) {
   folder.write("two.sonde.json", R"({"probe": {"mesh": "small.off", "pose": [5, 0, 0, 1, 0, 0, 0]},
       "fixed": {"mesh": "two.off", "components": true}})");
   EXPECT_EQ(Csv(expect_done("clash two.sonde.json").out).text(0, "b"), "two.off:2");
+}
+
+// Reference: by hand, the least way between two boxes in one place is their shortest side.
+TEST_F(Assembly, clash_lists_a_part_that_is_there_twice) {
+  for (const Vec3& size : {Vec3(1, 1, 1), Vec3(1, 2, 3), Vec3(0.2, 0.1, 0.3)}) {
+    const PolygonSoup part = box(size), far = placed(box({1, 1, 1}), {9, 0, 0});
+    folder.write("twice.off", as_off(joined(joined(part, far), part)));
+    const Csv found(expect_done("clash twice.off --components").out);
+    ASSERT_EQ(found.rows.size(), 1u);
+    EXPECT_EQ(found.text(0, "a"), "twice.off:1");
+    EXPECT_EQ(found.text(0, "b"), "twice.off:3");
+    EXPECT_EQ(found.text(0, "kind"), "overlapping");
+    EXPECT_NEAR(found.number(0, "depth"), size.minCoeff(), 1e-3 * size.minCoeff());
+  }
 }
 
 TEST_F(Assembly, clash_draws_each_pair) {

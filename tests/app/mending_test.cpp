@@ -96,6 +96,55 @@ TEST_F(Mending, a_surface_that_could_be_a_solid_is_told_of_with_the_remedy) {
   EXPECT_THAT(asked(open, {{0, 0, 0}}, "--fixed-model solid").out, HasSubstr("penetrating"));
 }
 
+/// A flat sheet in z = 0 about the origin, with a corner or the middle of a side of it, and the
+/// square of the way there over the moment Î about the axis across that way.
+struct FlatSheet {
+  PolygonSoup mesh;
+  Vec3 lowest;
+  double lever;
+};
+
+// Reference: one contact at r on a plane, PD_g = d² / (1 + (r×n)ᵀ Î⁻¹ (r×n)), with the moments of a
+// rectangle and a hexagon; a cube of 2 mm near the middle changes those by 10⁻⁵.
+TEST_F(Mending, a_small_closed_part_does_not_take_the_mass_of_a_sheet) {
+  const double tilt = 0.05, deep = 1e-4;
+  const auto rectangle = [](double a, double b) {
+    return PolygonSoup{
+        {{-a / 2, -b / 2, 0}, {a / 2, -b / 2, 0}, {a / 2, b / 2, 0}, {-a / 2, b / 2, 0}},
+        {{0, 1, 2, 3}}};
+  };
+  PolygonSoup hexagon{{}, {{}}};
+  for (std::size_t k = 0; k < 6; ++k) {
+    const double turn = two_pi * static_cast<double>(k) / 6;
+    hexagon.points.emplace_back(std::cos(turn), std::sin(turn), 0);
+    hexagon.polygons[0].push_back(k);
+  }
+  folder.write("floor.off", as_off(cube({-4, -4, -1}, {8, 8, 1})));
+  for (const FlatSheet& sheet :
+       {FlatSheet{rectangle(1, 1.5), {0.5, 0, 0}, 3}, FlatSheet{rectangle(1, 2), {0.5, 1, 0}, 6},
+        FlatSheet{hexagon, {1, 0, 0}, 4.8}}) {
+    const PolygonSoup speck = cube({-0.001, -0.001, 0.02}, {0.002, 0.002, 0.002});
+    folder.write("sheet.off", as_off(joined(sheet.mesh, speck)));
+    const Vec3 axis = Vec3(-sheet.lowest.y(), sheet.lowest.x(), 0).normalized();
+    const Quat q(Eigen::AngleAxisd(tilt, axis));
+    std::ostringstream pose;
+    pose.precision(17);
+    pose << "px,py,pz,qw,qx,qy,qz\n0,0," << -(q * sheet.lowest).z() - deep << ',' << q.w() << ','
+         << q.x() << ',' << q.y() << ',' << q.z() << '\n';
+    folder.write("p.csv", pose.str());
+    const Outcome run = expect_done("query --probe sheet.off --fixed floor.off --poses p.csv");
+    const double c = std::cos(tilt), depth = deep / std::sqrt(1 + c * c * sheet.lever);
+    EXPECT_NEAR(Csv(run.out).number(0, "depth"), depth, 1e-3 * depth);
+    EXPECT_THAT(run.err, AllOf(HasSubstr("1 of 2 parts stays open: only its triangles count"),
+                               HasSubstr("the probe has its mass by area: 100 % of the area")));
+    EXPECT_THAT(expect_done("info sheet.off").out,
+                HasSubstr("  mass            by area: 100 % of the area belongs to open parts\n"));
+    const json mesh = json::parse(expect_done("info --json sheet.off").out).at("meshes").at(0);
+    EXPECT_EQ(mesh.at("mass_why"), "by area: 100 % of the area belongs to open parts");
+    EXPECT_TRUE(mesh.contains("area"));
+  }
+}
+
 TEST_F(Mending, info_lists_it_as_text_and_json) {
   folder.write("fixed.off", as_off(joined(cube({0, 0, 0}), turned_over(cube({3, 0, 0})))));
   EXPECT_THAT(expect_done("info fixed.off").out,

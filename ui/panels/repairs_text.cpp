@@ -30,6 +30,8 @@ QString repairs_in_brief(const Body& body) {
   add(r.joined + r.on_edges, "corner joined", "corners joined");
   add(r.repeated, "repeated triangle", "repeated triangles");
   add(r.hidden, "triangle inside left out", "triangles inside left out");
+  if (r.solid_parts > 0 && r.solid_parts < r.parts)
+    add(r.parts - r.solid_parts, "part stays open", "parts stay open");
   if (r.could_be_solid)
     done << QStringLiteral("could be a solid (open by %1 %)").arg(number(100 * r.widest_mouth));
   return done.join(QStringLiteral(", "));
@@ -45,6 +47,8 @@ QString repairs_in_full(const Body& body) {
                  "closed, it would bound an inside.")
                  .arg(number(100 * body.repairs.widest_mouth));
   lines << text(body.why) + QLatin1Char('.');
+  if (!body.mass_why.empty())
+    lines << QStringLiteral("As a probe it has its mass ") + text(body.mass_why) + QLatin1Char('.');
   return lines.join(QLatin1Char('\n'));
 }
 

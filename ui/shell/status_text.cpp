@@ -23,7 +23,10 @@ QString nature(const char* role, const Body& body) {
 }  // namespace
 
 QString natures(const Body& probe, const Body& fixed) {
-  return nature("Probe", probe) + QStringLiteral("   ") + nature("Fixed body", fixed);
+  QString of_probe = nature("Probe", probe);
+  if (!probe.mass_why.empty())
+    of_probe += QStringLiteral(", mass ") + QString::fromStdString(probe.mass_why);
+  return of_probe + QStringLiteral("   ") + nature("Fixed body", fixed);
 }
 
 QString happening(const Instant& now, const LengthUnit& unit) {

@@ -160,6 +160,20 @@ class Module(unittest.TestCase):
         numpy.testing.assert_allclose(body.centre_of_mass, 0, atol=1e-15)
         numpy.testing.assert_allclose(body.inertia, 1 / 6, rtol=1e-13)  # side²/6
 
+    def test_a_sheet_with_a_closed_part_has_its_mass_by_area(self):
+        cube = box(0.05)
+        for side in (1.0, 2.0, 7.0):
+            corners = numpy.array([[0, 0, 0], [side, 0, 0], [side, side, 0], [0, side, 0]]) + 1
+            points = numpy.vstack([cube.vertices, corners])
+            faces = numpy.vstack([cube.faces, [[8, 9, 10], [8, 10, 11]]])
+            body = sonde.Body(points, faces)
+            self.assertTrue(body.solid)
+            self.assertFalse(body.by_volume)
+            self.assertAlmostEqual(body.measure, side**2 + 0.06, delta=1e-12)
+            self.assertRegex(body.mass_why, "^by area: .* of the area belongs to open parts$")
+        self.assertTrue(cube.by_volume)
+        self.assertEqual(cube.mass_why, "")
+
     def test_what_is_no_body_is_refused_with_the_reason(self):
         for faces, reason in (
             ([[0, 1, 8]], "face 0: there is no vertex 8"),
@@ -305,7 +319,7 @@ class Module(unittest.TestCase):
                     self.assertIn(type(value), get_args(declared), node.name)
                 else:
                     self.assertIs(type(value), declared, node.name)
-        self.assertEqual(checked, 47)
+        self.assertEqual(checked, 49)
 
     def test_the_example_draws_the_depth_along_a_path(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <random>
 #include <set>
 
@@ -18,14 +19,35 @@ struct RandomBoxes {
   std::set<std::array<int, 3>> cells;  // unit cells of the union
 };
 
+using Box = Eigen::AlignedBox3i;
+
+std::vector<std::array<int, 3>> cells_of(const Box& box) {
+  std::vector<std::array<int, 3>> cells;
+  for (int x = box.min().x(); x < box.max().x(); ++x)
+    for (int y = box.min().y(); y < box.max().y(); ++y)
+      for (int z = box.min().z(); z < box.max().z(); ++z) cells.push_back({x, y, z});
+  return cells;
+}
+
+/// Whether the others cover all of one of the boxes.
+bool any_covered(const std::vector<Box>& boxes) {
+  std::map<std::array<int, 3>, int> times;
+  for (const Box& box : boxes)
+    for (const auto& cell : cells_of(box)) ++times[cell];
+  return std::ranges::any_of(boxes, [&](const Box& box) {
+    return std::ranges::none_of(cells_of(box), [&](const auto& cell) { return times[cell] == 1; });
+  });
+}
+
 /// Boxes with corners at small integers, so that they touch and cross in all ways, none within
-/// another; in any order; some written twice, or some inside out.
+/// another; in any order; some written twice, or some inside out: none where others cover one of
+/// them, which would be a cavity if it were the other way round than they are.
 RandomBoxes random_boxes(std::uint64_t seed, bool repeats, bool turns) {
   std::mt19937_64 random(seed);
   const auto below = [&random](std::uint64_t n) { return static_cast<int>(random() % n); };
-  using Box = Eigen::AlignedBox3i;
   std::vector<Box> boxes;
   std::vector<PolygonSoup> parts;
+  std::vector<bool> turned;
   RandomBoxes out;
   for (int left = 2 + below(3); left > 0; --left) {
     Box box;
@@ -37,15 +59,15 @@ RandomBoxes random_boxes(std::uint64_t seed, bool repeats, bool turns) {
                             [&](const Box& b) { return b.contains(box) || box.contains(b); }))
       continue;
     boxes.push_back(box);
-    PolygonSoup part = test::triangulated(test::placed(test::box(box.sizes().cast<double>()),
-                                                       (box.min() + box.max()).cast<double>() / 2));
-    if (turns && below(2) == 0) part = test::turned_over(part);
+    const PolygonSoup part = test::triangulated(test::placed(
+        test::box(box.sizes().cast<double>()), (box.min() + box.max()).cast<double>() / 2));
+    turned.push_back(turns && below(2) == 0);
     parts.push_back(part);
     if (repeats && below(3) == 0) parts.push_back(below(2) == 0 ? test::turned_over(part) : part);
-    for (int x = box.min().x(); x < box.max().x(); ++x)
-      for (int y = box.min().y(); y < box.max().y(); ++y)
-        for (int z = box.min().z(); z < box.max().z(); ++z) out.cells.insert({x, y, z});
+    for (const auto& cell : cells_of(box)) out.cells.insert(cell);
   }
+  for (std::size_t i = 0; i < boxes.size(); ++i)  // with turns, there are no repeats
+    if (turned[i] && !any_covered(boxes)) parts[i] = test::turned_over(parts[i]);
   std::ranges::shuffle(parts, random);
   for (const PolygonSoup& part : parts) out.mesh = test::joined(out.mesh, part);
   return out;

@@ -11,6 +11,7 @@
 #include <set>
 #include <utility>
 
+#include "engine/geometry/mass_integrals.hpp"
 #include "engine/penetration/search/static_search.hpp"
 #include "tests/support/conforming.hpp"
 #include "tests/support/defects.hpp"
@@ -265,15 +266,19 @@ TEST(ModelChoice, a_cavity_that_another_body_fills_is_none) {
         EXPECT_NEAR(body->mass.measure, 120, 1e-9);
         EXPECT_NEAR(body->mass.com.norm(), 0, 1e-12);
       }
-    // One is filled, the other is not; and a body beside a sheet is not in it.
+    // One is filled, the other is not; and a body beside a sheet, which has most of the area, is
+    // not in it.
     const PolygonSoup more = test::placed(test::turned_over(test::icosphere(0.2, 1)), {1.6, 2, 2});
     const double hole = -test::body(test::turned_over(more))->mass.measure;
     EXPECT_NEAR(test::body(joined_all({block, cavity, more, filler}))->mass.measure, 120 + hole,
                 1e-9);
     const PolygonSoup sheet{{{-9, -9, -4}, {9, -9, -4}, {0, 9, -4}}, {{0, 1, 2}}};
-    for (const PolygonSoup& under : {sheet, test::placed(sheet, {0, 0, 8})})
-      EXPECT_NEAR(test::body(joined_all({under, filler, cavity}))->mass.measure,
-                  test::body(filler)->mass.measure, 1e-12);
+    for (const PolygonSoup& under : {sheet, test::placed(sheet, {0, 0, 8})}) {
+      const auto body = test::body(joined_all({under, filler, cavity}));
+      EXPECT_TRUE(body->solid);
+      EXPECT_EQ(body->repairs.turned_parts, 0u);
+      EXPECT_NEAR(body->mass.measure, 162 + mass_by_area(test::body(filler)->soup).measure, 1e-11);
+    }
   }
 }
 

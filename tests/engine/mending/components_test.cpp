@@ -92,6 +92,35 @@ TEST(Components, what_lies_in_material_turned_the_same_way_is_no_cavity) {
   EXPECT_EQ(components_of(together({cube(4), cube(1)})).size(), 2u);
 }
 
+// Reference: the volumes of the cubes. Which copy a polygon is of is told by its place in the file.
+TEST(Components, what_is_there_several_times_is_as_many) {
+  const PolygonSoup hollow = together({inside_out(cube(8)), cube(10)});
+  const PolygonSoup sheet{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}}};
+  PolygonSoup begun_elsewhere = cube(2);
+  for (Polygon& polygon : begun_elsewhere.polygons)
+    std::rotate(polygon.begin(), polygon.begin() + 1, polygon.end());
+  std::reverse(begun_elsewhere.polygons.begin(), begun_elsewhere.polygons.end());
+  for (const bool apart : {false, true}) {
+    const auto as_drawn = [&](const PolygonSoup& soup) {
+      return apart ? corner_by_corner(soup) : soup;
+    };
+    const auto two = volumes(components_of(as_drawn(together({cube(2), begun_elsewhere}))));
+    ASSERT_EQ(two.size(), 2u);
+    for (const double v : two) EXPECT_NEAR(v, 8, 1e-12);
+    const auto three = volumes(
+        components_of(as_drawn(together({hollow, moved(cube(1), {20, 0, 0}), hollow, hollow}))));
+    ASSERT_EQ(three.size(), 4u);
+    for (const std::size_t i : {0u, 2u, 3u}) EXPECT_NEAR(three[i], 1000 - 512, 1e-9);
+    EXPECT_NEAR(three[1], 1, 1e-12);
+    EXPECT_EQ(components_of(as_drawn(together({sheet, sheet}))).size(), 2u);
+    // Both sides of one surface, or some of its polygons again, are no second part.
+    EXPECT_EQ(components_of(as_drawn(together({sheet, inside_out(sheet)}))).size(), 1u);
+    PolygonSoup some = cube(2);
+    some.polygons.push_back(some.polygons.front());
+    EXPECT_EQ(components_of(as_drawn(some)).size(), 1u);
+  }
+}
+
 TEST(Components, loose_triangles_are_each_one_and_remarks_go_with_the_first) {
   std::mt19937_64 random(4);
   PolygonSoup soup = test::random_soup(random, 20, 1);

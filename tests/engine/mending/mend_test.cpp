@@ -30,6 +30,22 @@ TEST(Mend, sound_parts_are_as_they_were_given) {
   EXPECT_EQ(m.repairs.solid_parts, 2u);
 }
 
+// Reference: the mesh before its corners were moved apart.
+TEST(Mend, cracks_of_the_size_of_the_reach_leave_one_part) {
+  for (const PolygonSoup& mesh : {test::icosphere(1, 2), test::icosphere(30, 1),
+                                  test::torus(1, 0.3, 24, 12), test::box({1, 2, 3})})
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      Eigen::AlignedBox3d box;
+      for (const Vec3& x : mesh.points) box.extend(x);
+      const Mended m = mended(test::cracked(mesh, 8.7e-6 * box.sizes().norm(), seed));
+      EXPECT_EQ(m.repairs.solid_parts, 1u);
+      EXPECT_EQ(m.repairs.parts, 1u) << m.why;
+      EXPECT_EQ(m.repairs.caps, 0u);
+      const double volume = mass_by_volume(test::soup_of(mesh)).measure;
+      EXPECT_NEAR(mass_by_volume(m.solid.soup).measure, volume, 1e-3 * volume);
+    }
+}
+
 TEST(Mend, a_sheet_beside_a_solid_is_loose) {
   const PolygonSoup sheet =
       test::without(test::box({9, 9, 1}), [](const Vec3& x) { return x.z() > -0.49; });

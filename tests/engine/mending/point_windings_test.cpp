@@ -65,5 +65,29 @@ TEST(PointWindings, a_part_does_not_wind_around_a_point_that_lies_on_it) {
   EXPECT_EQ(found[1], (PartWindings{{0, 1}}));
 }
 
+// Reference: the centre of a face of a convex part, from which the part lies on one side.
+TEST(PointWindings, points_within_lie_just_below_the_faces_of_their_part) {
+  for (const PolygonSoup& mesh :
+       {test::box({2, 1, 3}), test::icosphere(0.5, 2), test::tetrahedron(1)})
+    for (const bool over : {false, true}) {
+      Sealed sealed;
+      sealed.soup = test::soup_of(over ? test::turned_over(mesh) : mesh);
+      sealed.part.assign(sealed.soup.triangles.size(), 0);
+      std::vector<PartPoint> points;
+      for (const Triangle& t : sealed.soup.triangles)
+        points.push_back({(sealed.soup.vertices[t[0]] + sealed.soup.vertices[t[1]] +
+                           sealed.soup.vertices[t[2]]) /
+                              3,
+                          0});
+      const double near = 1e-4;
+      const std::vector<PartPoint> within = points_within(sealed, points, near);
+      ASSERT_EQ(within.size(), points.size());
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        EXPECT_NEAR(std::abs(solid_angles(sealed.soup, within[k].x)), 1, 1e-6);
+        EXPECT_LT((within[k].x - points[k].x).norm(), near * 4);
+      }
+    }
+}
+
 }  // namespace
 }  // namespace sonde

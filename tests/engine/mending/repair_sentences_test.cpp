@@ -41,5 +41,20 @@ TEST(Repairs, each_is_said_once_with_its_count_and_unit) {
           "parts that overlap are counted once, to 2e-06 of the volume"));
 }
 
+TEST(Repairs, parts_that_stay_open_beside_closed_ones_are_said) {
+  const auto said = [](std::size_t closed, std::size_t all) {
+    Repairs r;
+    r.parts = all;
+    r.solid_parts = closed;
+    return sentences(r);
+  };
+  EXPECT_THAT(said(2, 27),
+              testing::ElementsAre("25 of 27 parts stay open: only their triangles count"));
+  EXPECT_THAT(said(1, 2),
+              testing::ElementsAre("1 of 2 parts stays open: only its triangles count"));
+  EXPECT_TRUE(said(3, 3).empty());
+  EXPECT_TRUE(said(0, 2).empty()) << "a surface says why by itself";
+}
+
 }  // namespace
 }  // namespace sonde

@@ -39,6 +39,43 @@ TEST(Seams, corners_apart_by_rounding_are_joined) {
     }
 }
 
+// Errors of the size of the last reach leave some corners within it and others not. Reference: the
+// mesh before its corners were moved apart is closed, but for the hole.
+TEST(Seams, errors_of_the_size_of_the_reach_leave_nothing_half_joined) {
+  std::uint64_t seed = 90;
+  for (const PolygonSoup& mesh :
+       {test::box({1, 2, 3}), test::icosphere(0.02, 2), test::torus(5, 1, 24, 12),
+        test::lathed({{0, 0}, {2, 0}, {1, 3}, {0, 3}}, 16)})
+    for (const double by : {4e-6, 6e-6, 8.7e-6})
+      for (const bool holed : {false, true}) {
+        Eigen::AlignedBox3d box;
+        for (const Vec3& x : mesh.points) box.extend(x);
+        const double size = box.sizes().norm();
+        PolygonSoup triangles = test::triangulated(mesh);
+        if (holed) triangles.polygons.erase(triangles.polygons.begin() + 1);
+        const Soup soup = test::welded(test::cracked(triangles, by * size, ++seed));
+        const Seams seams = seams_of(soup);
+        EXPECT_EQ(open_edges(seams.uses), holed ? 3u : 0u) << by;
+        EXPECT_LE(seams.reach, 1.001e-4 * size);
+      }
+}
+
+// Corners within a fiftieth of their edges of each other may be a feature: a wider reach than the
+// rounding of files leaves them.
+TEST(Seams, a_wider_reach_is_well_below_the_edges) {
+  const double side = 2e-3, slit = 8e-5;
+  const PolygonSoup box = test::box({side, side, side}),
+                    low = test::without(box, [&](const Vec3&x) { return x.z() > 0.4 * side; }),
+                    high = test::without(box, [&](const Vec3&x) { return x.z() < -0.4 * side; });
+  const PolygonSoup halves = test::joined(low, high, {0, 0, side + slit});
+  for (const PolygonSoup& cracked :
+       {test::icosphere(1, 1), test::box({1, 2, 1}), test::torus(1, 0.4, 12, 8)}) {
+    const Soup soup =
+        test::welded(test::joined(test::cracked(cracked, 3e-5, 4), halves, {3, 0, 0}));
+    EXPECT_EQ(open_edges(seams_of(soup).uses), 8u) << "the openings of the two halves";
+  }
+}
+
 // Far from the origin the rounding of a file in single precision is more than the reach.
 TEST(Seams, rounding_to_single_precision_is_joined_wherever_it_is) {
   for (const double away : {10.0, 300.0, 1000.0, 5000.0})

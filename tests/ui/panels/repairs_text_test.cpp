@@ -51,6 +51,17 @@ TEST(RepairsText, says_how_open_a_mesh_is_that_could_be_a_solid) {
   EXPECT_EQ(lines[1], "a surface.");
 }
 
+TEST(RepairsText, says_how_many_parts_stay_open_beside_closed_ones_and_what_then_has_mass) {
+  Body body;
+  body.why = "2 of 27 parts are closed: their inside counts";
+  body.mass_why = "by area: 97 % of the area belongs to open parts";
+  body.repairs.parts = 27;
+  body.repairs.solid_parts = 2;
+  EXPECT_EQ(repairs_in_brief(body), "25 parts stay open");
+  EXPECT_TRUE(repairs_in_full(body).endsWith(
+      "\nAs a probe it has its mass by area: 97 % of the area belongs to open parts."));
+}
+
 /// Of a ball of which one triangle is left out: that triangle alone closes it again.
 TEST(RepairsText, of_a_ball_with_an_opening_is_about_that_opening) {
   PolygonSoup ball = sonde::test::icosphere(0.05, 2);

@@ -92,5 +92,16 @@ TEST(Natures, say_what_was_done_to_a_mesh) {
       << text.toStdString();
 }
 
+TEST(Natures, say_of_the_probe_by_what_its_mass_is_where_that_is_not_plain) {
+  Body body;
+  body.solid = true;
+  body.why = "1 of 2 parts is closed: its inside counts";
+  body.mass_why = "by area: 97 % of the area belongs to open parts";
+  EXPECT_EQ(natures(body, body),
+            "Probe: solid (1 of 2 parts is closed: its inside counts), mass by area: 97 % of the "
+            "area belongs to open parts   Fixed body: solid (1 of 2 parts is closed: its inside "
+            "counts)");
+}
+
 }  // namespace
 }  // namespace sonde::ui::test

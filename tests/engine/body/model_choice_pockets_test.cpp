@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "engine/body/model_choice.hpp"
+#include "engine/queries/body_queries.hpp"
+#include "tests/support/defects.hpp"
+#include "tests/support/shapes.hpp"
+
+namespace sonde {
+namespace {
+
+/// A body with a hole that is a shell of its own, some of whose faces lie on the body's.
+struct Holed {
+  PolygonSoup body, hole;  // both outward
+  double volume;           // m³, of what is left
+  Vec3 in_hole;
+};
+
+std::vector<Holed> holed() {
+  using Profile = std::vector<Eigen::Vector2d>;
+  const Profile blind{{0, 0.2}, {0.3, 0.2}, {0.6, 1}, {0, 1}},
+      through{{0, -1}, {0.5, -1}, {0.5, 1}, {0, 1}}, disc{{0, -1}, {3, -1}, {3, 1}, {0, 1}};
+  const PolygonSoup block = test::box({2, 3, 2});
+  const Profile slot{{-0.4, -0.3}, {0.4, -0.3}, {0, 0.5}};
+  return {
+      {block, test::placed(test::box({1, 1, 0.5}), {0.1, 0.2, 0.75}), 12 - 0.5, {0.1, 0.2, 0.8}},
+      {block, test::lathed(blind, 24), 12 - test::lathed_volume(blind, 24), {0, 0, 0.7}},
+      {block, test::lathed(through, 17), 12 - test::lathed_volume(through, 17), {0, 0, 0.1}},
+      {test::lathed(disc, 40),
+       test::placed(test::prism(slot, 2), {1.5, 0.4, -1}),
+       test::lathed_volume(disc, 40) - 2 * 0.32,
+       {1.5, 0.4, 0.1}},
+      {test::box({2, 2, 2}),
+       test::placed(test::box({1, 1, 1}), {0.5, 0.5, 0.5}),
+       7,
+       {0.4, 0.6, 0.5}}};  // a corner
+}
+
+// Reference: volumes of boxes, prisms and frusta.
+TEST(ModelChoiceOfPockets, a_hole_whose_faces_lie_on_the_bodys_stays_one) {
+  for (const Holed& h : holed())
+    for (const double sunk : {0.0, 1e-9})
+      for (const bool over : {false, true}) {
+        PolygonSoup mesh =
+            test::joined(h.body, test::turned_over(test::placed(h.hole, {0, 0, -sunk})));
+        if (over) mesh = test::turned_over(mesh);
+        const auto body = test::body(mesh);
+        EXPECT_TRUE(body->solid);
+        EXPECT_NEAR(body->mass.measure, h.volume, 1e-8 * h.volume);
+        EXPECT_EQ(body->repairs.turned_parts, over ? 2u : 0u);
+        EXPECT_FALSE(inside(*body, h.in_hole));
+        // The same shell beside the body is a body that is inside out.
+        const auto beside =
+            test::body(test::joined(h.body, test::turned_over(test::placed(h.hole, {20, 0, 0}))));
+        EXPECT_EQ(beside->repairs.turned_parts, 1u);
+        EXPECT_TRUE(inside(*beside, h.in_hole + Vec3(20, 0, 0)));
+      }
+}
+
+// With what fills the hole exactly, in any order: material all through.
+TEST(ModelChoiceOfPockets, one_that_another_body_fills_is_none) {
+  for (const Holed& h : holed()) {
+    const PolygonSoup filler = test::triangulated(h.hole), pocket = test::turned_over(filler);
+    const double volume = test::body(h.body)->mass.measure;
+    for (const auto& mesh : {test::joined(h.body, test::joined(pocket, filler)),
+                             test::joined(h.body, test::joined(filler, pocket)),
+                             test::joined(pocket, test::joined(h.body, filler))})
+      for (const bool over : {false, true}) {
+        const auto body = test::body(over ? test::turned_over(mesh) : mesh);
+        EXPECT_NEAR(body->mass.measure, volume, 1e-6 * volume);
+        EXPECT_TRUE(inside(*body, h.in_hole));
+      }
+    // An export of both sides of all: the hole is one.
+    const PolygonSoup one_side = test::joined(test::triangulated(h.body), pocket);
+    const auto sides = test::body(test::joined(one_side, test::turned_over(one_side)));
+    EXPECT_NEAR(sides->mass.measure, h.volume, 1e-6 * h.volume);
+  }
+}
+
+}  // namespace
+}  // namespace sonde
