@@ -147,7 +147,7 @@ bool is_covered(const Body& body, std::uint32_t triangle, const Vec3& x) {
 }
 
 NearestPoint nearest_outside(const Body& body, const Vec3& x) {
-  const NearestPoint nearest = nearest_point(body, x, 0);
+  NearestPoint nearest = nearest_point(body, x, 0);
   if (!body.solid || is_loose(body, nearest.triangle)) return nearest;
   const Vec3 within = next_to(nearest.point, corners(surface(body), nearest.triangle),
                               within_a_wall * extent(body));
