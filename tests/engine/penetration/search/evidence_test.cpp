@@ -72,8 +72,11 @@ TEST_F(EvidenceTest, a_way_out_much_longer_than_the_overlap_is_deep_may_be_narro
   find(depth, 12);
   EXPECT_FALSE(evidence({}).may_be_narrow());
   SearchTuning strict;
-  strict.narrow = 1;
+  strict.narrow_for_pushes = 1;
   EXPECT_TRUE(evidence({.tuned = strict}).may_be_narrow());
+  EXPECT_FALSE(evidence({.tuned = strict}).may_be_deep()) << "a few pushes are enough";
+  strict.narrow = 1;
+  EXPECT_TRUE(evidence({.tuned = strict}).may_be_deep());
 }
 
 }  // namespace
