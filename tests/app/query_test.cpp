@@ -257,7 +257,7 @@ TEST_F(Query, the_surer_the_wider_the_claim) {
   }
   for (const char* sure : {"0", "100%", "often"}) {
     const Outcome refused = sonde("query " + scene + "--sure " + sure);
-    EXPECT_EQ(refused.exit_code, 3) << sure;
+    EXPECT_EQ(refused.exit_code, 2) << sure;
     EXPECT_THAT(refused.err, HasSubstr("--sure")) << sure;
   }
 }

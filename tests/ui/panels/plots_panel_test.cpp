@@ -115,20 +115,25 @@ TEST_F(PlotsTest, the_cursor_stands_in_every_chart_at_the_time_that_a_click_ther
   wait(500);
   window->history().look_at(window->history().recorder().ticks()->first_time() + 0.3);
   next_picture();
-  const QImage image = plots().charts().picture().convertToFormat(QImage::Format_RGB32);
-  const QColor white = canvas()->palette().color(QPalette::WindowText);
+  // The columns of pixels that are white for more than half of the height.
   std::vector<int> columns;
-  for (int x = 0; x < image.width(); ++x) {
-    int count = 0;
-    for (int y = 0; y < image.height(); ++y) {
-      const QColor at(image.pixel(x, y));
-      count += std::abs(at.red() - white.red()) + std::abs(at.green() - white.green()) +
-                   std::abs(at.blue() - white.blue()) <
-               200;
+  const auto look = [&] {
+    columns.clear();
+    const QImage image = plots().charts().picture().convertToFormat(QImage::Format_RGB32);
+    const QColor white = canvas()->palette().color(QPalette::WindowText);
+    for (int x = 0; x < image.width(); ++x) {
+      int count = 0;
+      for (int y = 0; y < image.height(); ++y) {
+        const QColor at(image.pixel(x, y));
+        count += std::abs(at.red() - white.red()) + std::abs(at.green() - white.green()) +
+                     std::abs(at.blue() - white.blue()) <
+                 200;
+      }
+      if (count > image.height() / 2) columns.push_back(x);
     }
-    if (count > image.height() / 2) columns.push_back(x);
-  }
-  ASSERT_FALSE(columns.empty());
+    return !columns.empty();
+  };
+  ASSERT_TRUE(wait_until(look));
   EXPECT_LE(columns.back() - columns.front(), 3);  // pixels
   const double x = 0.5 * (columns.front() + columns.back()) / canvas()->devicePixelRatioF();
   const double pixel = plots().charts().time_at(1) - plots().charts().time_at(0);
