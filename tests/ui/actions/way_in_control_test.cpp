@@ -50,18 +50,15 @@ TEST_F(WayInTest, it_says_where_it_binds_and_goes_there) {
 }
 
 TEST_F(WayInTest, it_is_sought_and_played_by_the_probe) {
-  constexpr double half_a_step = 0.03 / 200 / 2 + 1e-9;  // it goes to the nearest
   compute("-1", "30");
-  way().seek(0.005);
-  ASSERT_TRUE(test::wait_until([this] { return std::abs(height() - 0.115) < half_a_step; }))
-      << height();
+  way().seek(0.006);  // these are computed steps
+  ASSERT_TRUE(test::wait_until([this] { return std::abs(height() - 0.114) < 1e-9; })) << height();
   EXPECT_TRUE(find<QLabel>("way_at")->text().contains("of room"));
-  way().seek(0.025);
-  ASSERT_TRUE(test::wait_until([this] { return std::abs(height() - 0.095) < half_a_step; }))
-      << height();
+  way().seek(0.024);
+  ASSERT_TRUE(test::wait_until([this] { return std::abs(height() - 0.096) < 1e-9; })) << height();
   EXPECT_TRUE(find<QLabel>("way_at")->text().contains("deep"));
   ASSERT_TRUE(test::wait_until([this] {
-    return std::abs(shown().separation.depth - 0.005) < half_a_step;
+    return std::abs(shown().separation.depth - 0.004) < 1e-4;
   })) << "the loop follows it there";
   way().seek(0);
   ASSERT_TRUE(test::wait_until([this] { return std::abs(height() - 0.12) < 1e-9; })) << height();

@@ -5,6 +5,7 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include "tests/ui/lit_pixels.hpp"
 #include "tests/ui/window_fixture.hpp"
 #include "ui/actions/history_control.hpp"
 
@@ -118,19 +119,9 @@ TEST_F(PlotsTest, the_cursor_stands_in_every_chart_at_the_time_that_a_click_ther
   // The columns of pixels that are white for more than half of the height.
   std::vector<int> columns;
   const auto look = [&] {
-    columns.clear();
-    const QImage image = plots().charts().picture().convertToFormat(QImage::Format_RGB32);
-    const QColor white = canvas()->palette().color(QPalette::WindowText);
-    for (int x = 0; x < image.width(); ++x) {
-      int count = 0;
-      for (int y = 0; y < image.height(); ++y) {
-        const QColor at(image.pixel(x, y));
-        count += std::abs(at.red() - white.red()) + std::abs(at.green() - white.green()) +
-                     std::abs(at.blue() - white.blue()) <
-                 200;
-      }
-      if (count > image.height() / 2) columns.push_back(x);
-    }
+    const QImage image = plots().charts().picture();
+    columns = test::lit_lines(image, Qt::Vertical, canvas()->palette().color(QPalette::WindowText),
+                              200, image.height() / 2);
     return !columns.empty();
   };
   ASSERT_TRUE(wait_until(look));

@@ -7,6 +7,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 
+#include "tests/ui/lit_pixels.hpp"
 #include "tests/ui/window_fixture.hpp"
 #include "ui/base/theme.hpp"
 
@@ -44,18 +45,10 @@ class TimeChartsTest : public testing::Test {
   /// Rows of the picture, in Qt's pixels from above, that are lit in about that colour.
   std::vector<double> rows_of(const QColor& colour) const {
     const QColor wanted = readable(colour, charts->palette());
-    const QImage image = charts->picture().convertToFormat(QImage::Format_RGB32);
+    const QImage image = charts->picture();
     std::vector<double> out;
-    for (int y = 0; y < image.height(); ++y) {
-      int count = 0;
-      for (int x = 0; x < image.width(); ++x) {
-        const QColor at(image.pixel(x, y));
-        count += std::abs(at.red() - wanted.red()) + std::abs(at.green() - wanted.green()) +
-                     std::abs(at.blue() - wanted.blue()) <
-                 60;
-      }
-      if (count > image.width() / 2) out.push_back(y / charts->devicePixelRatioF());
-    }
+    for (const int y : test::lit_lines(image, Qt::Horizontal, wanted, 60, image.width() / 2))
+      out.push_back(y / charts->devicePixelRatioF());
     return out;
   }
   void mouse(QEvent::Type type, double x, Qt::MouseButton button, Qt::MouseButtons held) {

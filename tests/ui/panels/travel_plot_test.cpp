@@ -3,6 +3,7 @@
 
 #include <QTest>
 
+#include "tests/ui/lit_pixels.hpp"
 #include "tests/ui/window_fixture.hpp"
 #include "ui/base/theme.hpp"
 
@@ -40,19 +41,7 @@ class TravelPlotTest : public ::testing::Test {
   void TearDown() override { darken(); }
   /// Columns of the picture in which at least so many pixels are about of that colour.
   std::vector<int> columns(const QColor& colour, int least) const {
-    const QImage image = plot->picture().convertToFormat(QImage::Format_RGB32);
-    std::vector<int> out;
-    for (int x = 0; x < image.width(); ++x) {
-      int count = 0;
-      for (int y = 0; y < image.height(); ++y) {
-        const QColor at(image.pixel(x, y));
-        count += std::abs(at.red() - colour.red()) + std::abs(at.green() - colour.green()) +
-                     std::abs(at.blue() - colour.blue()) <
-                 60;
-      }
-      if (count >= least) out.push_back(x);
-    }
-    return out;
+    return test::lit_lines(plot->picture(), Qt::Vertical, colour, 60, least - 1);
   }
   std::unique_ptr<TravelPlot> plot;
   double sought = -1;
