@@ -82,7 +82,7 @@ struct ContactTuning {
   /// path on nut-on-bolt and peg-in-hole, and by 10 to 14 % on torus-knots, linked-tori and
   /// spoon-in-cup (medians; 2 to 30 % in three of four). (With 0.25, 0.15, 0.1 and 0.05, 603, 327,
   /// 293 and 551 ticks of nut-on-bolt do not converge with 50 000 units a tick, and 17, 34, 56 and
-  /// 153 with 80 000.)
+  /// 153 with 80 000, where the next list is for the device's motion about the centre of mass.)
   double share_beside_course = 0.15;
   /// That share is divided between turning and sliding in the ratio that they have in the course,
   /// but each of the two gets at least this part. (Ticks of the ball in its socket, nut-on-bolt and

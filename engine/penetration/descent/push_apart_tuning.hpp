@@ -39,8 +39,8 @@ struct PushApartTuning {
 
   // The compromise between pairs
   /// Times the median: no row asks for a longer way. (A dovetail of 12 triangles, 7 mm aside in its
-  /// groove, was pushed out of it lengthwise by 1.6 m at the first step: of 24 such poses, 23 were
-  /// answered over 1 % too deep, by up to 76 times. With 10, 4 and 2 it is 18, 2 and 1; of 192
+  /// groove, was pushed out of it lengthwise by 1.6 m at the first step: of 16 such poses, 15 were
+  /// answered over 1 % too deep, by up to 76 times. With 10, 4 and 2 it is 12, 2 and 1; of 192
   /// searches of hexagons, T's, rods and blades 15 with 4, and 18 with 2.)
   double longest_way = 4;
   int sweeps = 8;     ///< Gauss-Seidel sweeps; the next step handles what is not settled
