@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -11,7 +12,7 @@
 #include "engine/base/progress.hpp"
 #include "engine/geometry/topology.hpp"
 #include "engine/geometry/union_find.hpp"
-#include "engine/mending/point_windings.hpp"
+#include "engine/mending/nesting.hpp"
 
 namespace sonde {
 namespace {
@@ -71,59 +72,78 @@ double signed_volume(const Soup& soup) {
   return six_volumes / 6;
 }
 
-/// The closed ones of some pieces, collected; `part` numbers the pieces.
+/// The closed ones of some pieces, collected: a part each, in the order of the file.
 struct ClosedPieces {
   Sealed all;
-  std::vector<double> volume;      ///< of each piece, signed, m³; 0: not closed
-  std::vector<PartPoint> on_each;  ///< a point on each closed piece
+  std::vector<PartFacts> facts;      ///< by part: its volume, signed, m³
+  std::vector<std::uint32_t> piece;  ///< by part
 };
 
 ClosedPieces closed_pieces(const std::vector<PolygonSoup>& pieces, const Progress& progress) {
   ClosedPieces out;
-  out.volume.assign(pieces.size(), 0);
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     report(progress, static_cast<double>(k) / static_cast<double>(pieces.size()));
     const Soup soup = compacted(triangulate_all(pieces[k]));
     if (soup.triangles.empty() || !analyse_topology(soup).closed) continue;
-    out.volume[k] = signed_volume(soup);
     const auto first = static_cast<std::uint32_t>(out.all.soup.vertices.size());
-    const auto number = static_cast<std::uint32_t>(k);
-    out.on_each.push_back({soup.vertices.front(), number});
+    const auto part = static_cast<std::uint32_t>(out.piece.size());
+    out.piece.push_back(static_cast<std::uint32_t>(k));
+    out.facts.emplace_back().volume = signed_volume(soup);
     for (const Vec3& x : soup.vertices) out.all.soup.vertices.push_back(x);
     for (const Triangle& t : soup.triangles)
       out.all.soup.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-    out.all.part.resize(out.all.soup.triangles.size(), number);
+    out.all.part.resize(out.all.soup.triangles.size(), part);
     out.all.cap.resize(out.all.soup.triangles.size(), Sealed::no_cap);
   }
   return out;
 }
 
-/// For each piece, the piece that it belongs to: itself, or the piece whose cavity it is.
+/// Of the parts around a part, those directly around it: none of the others lies inside them.
+/// Several that cross each other may be.
+std::vector<std::uint32_t> directly_around(std::uint32_t p, const Nesting& nesting,
+                                           const std::vector<PartFacts>& facts) {
+  std::vector<std::uint32_t> all, out;
+  for (const std::uint32_t q : nesting.around(p))
+    if (std::abs(facts[q].volume) > std::abs(facts[p].volume) && nesting.is_in(p, q))
+      all.push_back(q);
+  for (const std::uint32_t q : all)
+    if (std::ranges::none_of(all, [&](std::uint32_t r) { return r != q && nesting.is_in(r, q); }))
+      out.push_back(q);
+  return out;
+}
+
+/// Which of some parts, ascending, a cavity belongs to where parts clash and it lies within
+/// several: files have a part's cavities after it, or else before it.
+std::uint32_t nearest_in_file(std::uint32_t p, const std::vector<std::uint32_t>& parts) {
+  const auto after = std::ranges::upper_bound(parts, p);
+  return after == parts.begin() ? *after : *std::prev(after);
+}
+
+/// For each piece, the piece that it belongs to: itself, or the piece whose cavity it is. A cavity
+/// lies inside its piece with all of its surface: parts that clash may cover a corner of it too.
 std::vector<std::uint32_t> owners(const std::vector<PolygonSoup>& pieces,
                                   const Progress& progress) {
   std::vector<std::uint32_t> owner(pieces.size());
   std::iota(owner.begin(), owner.end(), 0u);
   if (pieces.size() < 2) return owner;
   const ClosedPieces closed = closed_pieces(pieces, part_of(progress, 0, 0.5));
-  const auto& volume = closed.volume;
+  const std::vector<PartFacts>& facts = closed.facts;
   const auto is_one_sign = [&](double sign) {
-    return std::ranges::none_of(volume, [sign](double v) { return v * sign < 0; });
+    return std::ranges::none_of(facts, [sign](const PartFacts& f) { return f.volume * sign < 0; });
   };
   if (is_one_sign(1) || is_one_sign(-1)) return owner;  // there is no cavity
-  const auto around = part_windings(closed.all, closed.on_each, part_of(progress, 0.5, 1));
-  // From the largest on, so that the piece around another is processed first.
-  std::vector<std::size_t> order(closed.on_each.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
+  const Nesting nesting(closed.all, facts, part_of(progress, 0.5, 1));
+  // From the largest on, so that what is around another is processed first.
+  std::vector<std::uint32_t> order(facts.size());
+  std::iota(order.begin(), order.end(), 0u);
   std::ranges::stable_sort(order, std::greater(),
-                           [&](std::size_t i) { return std::abs(volume[closed.on_each[i].part]); });
-  for (const std::size_t i : order) {
-    const std::uint32_t k = closed.on_each[i].part;
-    std::uint32_t next = none;  // the innermost piece around it
-    for (const auto& [q, winding] : around[i])
-      if (q != k && std::abs(volume[q]) > std::abs(volume[k]) &&
-          (next == none || std::abs(volume[q]) < std::abs(volume[next])))
-        next = q;
-    if (next != none && owner[next] == next && volume[next] * volume[k] < 0) owner[k] = next;
+                           [&](std::uint32_t p) { return std::abs(facts[p].volume); });
+  for (const std::uint32_t p : order) {
+    std::vector<std::uint32_t> around = directly_around(p, nesting, facts);
+    std::erase_if(around, [&](std::uint32_t q) {
+      return owner[closed.piece[q]] != closed.piece[q] || facts[q].volume * facts[p].volume >= 0;
+    });
+    if (!around.empty()) owner[closed.piece[p]] = closed.piece[nearest_in_file(p, around)];
   }
   return owner;
 }

@@ -3,11 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
-#include <set>
 
 #include "engine/base/progress.hpp"
-#include "engine/mending/point_windings.hpp"
 
 namespace sonde {
 namespace {
@@ -76,22 +73,17 @@ std::vector<Eigen::AlignedBox3d> bounds_of(const Sealed& sealed, std::size_t par
   return bounds;
 }
 
-/// Sample points of a part: how many lie inside which others, and inside any other.
-struct Samples {
-  std::size_t all = 0;
-  std::size_t covered = 0;
-  std::map<std::uint32_t, std::size_t> inside;
+}  // namespace
 
-  bool all_inside(std::uint32_t q) const {
-    const auto found = inside.find(q);
-    return all > 0 && found != inside.end() && found->second == all;
-  }
-  bool all_covered() const { return all > 0 && covered == all; }
-};
+bool Nesting::Samples::all_inside(std::uint32_t q) const {
+  const auto found = inside.find(q);
+  return all > 0 && found != inside.end() && found->second == all;
+}
 
 /// By part, of points and what is around each.
-std::vector<Samples> samples_of(const std::vector<PartPoint>& points,
-                                const std::vector<PartWindings>& around, std::size_t parts) {
+std::vector<Nesting::Samples> Nesting::samples_of(const std::vector<PartPoint>& points,
+                                                  const std::vector<PartWindings>& around,
+                                                  std::size_t parts) {
   std::vector<Samples> out(parts);
   for (std::size_t k = 0; k < points.size(); ++k) {
     Samples& own = out[points[k].part];
@@ -104,89 +96,72 @@ std::vector<Samples> samples_of(const std::vector<PartPoint>& points,
   return out;
 }
 
-/// Which parts lie inside which others. A part some of whose faces lie on another's (a pocket, a
-/// hole drilled through) is judged by points below its faces.
-class Nesting {
- public:
-  Nesting(const Sealed& sealed, const std::vector<PartFacts>& facts, const Progress& progress)
-      : bounds_(bounds_of(sealed, facts.size())),
-        filled_(facts.size(), false),
-        around_(facts.size()) {
-    const std::size_t parts = facts.size();
-    const std::vector<PartPoint> points = sample_points(sealed, parts);
-    on_faces_ = samples_of(points, part_windings(sealed, points, part_of(progress, 0, 0.3)), parts);
-    const std::vector<PartPoint> below = points_within(sealed, uneven_points(sealed, parts),
-                                                       below_faces, part_of(progress, 0.3, 0.6));
-    std::vector<PartWindings> around = part_windings(sealed, below, part_of(progress, 0.6, 1));
-    // What is there both ways round is as much a body as a pocket, and then fills it.
-    for (std::size_t k = 0; k < below.size(); ++k)
-      if (facts[below[k].part].both_ways)
-        std::erase_if(around[k], [&](const auto& found) { return !facts[found.first].both_ways; });
-    below_ = samples_of(below, around, parts);
-    find_filled(below, around, facts);
-    for (std::size_t p = 0; p < parts; ++p)
-      for (const std::vector<Samples>* samples : {&on_faces_, &below_})
-        for (const auto& [q, count] : (*samples)[p].inside) around_[p].insert(q);
+Nesting::Nesting(const Sealed& sealed, const std::vector<PartFacts>& facts,
+                 const Progress& progress)
+    : bounds_(bounds_of(sealed, facts.size())),
+      filled_(facts.size(), false),
+      around_(facts.size()) {
+  const std::size_t parts = facts.size();
+  const std::vector<PartPoint> points = sample_points(sealed, parts);
+  on_faces_ = samples_of(points, part_windings(sealed, points, part_of(progress, 0, 0.3)), parts);
+  const std::vector<PartPoint> below =
+      points_within(sealed, uneven_points(sealed, parts), below_faces, part_of(progress, 0.3, 0.6));
+  std::vector<PartWindings> around = part_windings(sealed, below, part_of(progress, 0.6, 1));
+  // What is there both ways round is as much a body as a pocket, and then fills it.
+  for (std::size_t k = 0; k < below.size(); ++k)
+    if (facts[below[k].part].both_ways)
+      std::erase_if(around[k], [&](const auto& found) { return !facts[found.first].both_ways; });
+  below_ = samples_of(below, around, parts);
+  find_filled(below, around, facts);
+  for (std::size_t p = 0; p < parts; ++p)
+    for (const std::vector<Samples>* samples : {&on_faces_, &below_})
+      for (const auto& [q, count] : (*samples)[p].inside) around_[p].insert(q);
+}
+
+bool Nesting::is_in(std::uint32_t p, std::uint32_t q) const {
+  const Vec3 rounding = Vec3::Constant(bounds_rounding * bounds_[p].sizes().maxCoeff());
+  return (on_faces_[p].all_inside(q) ||
+          (below_[p].all_inside(q) && !below_[q].all_inside(p) && !filled_[q])) &&
+         (bounds_[p].min() + rounding - bounds_[q].min()).minCoeff() >= 0 &&
+         (bounds_[q].max() + rounding - bounds_[p].max()).minCoeff() >= 0;
+}
+
+bool Nesting::has_faces_in_several(std::uint32_t p) const {
+  return on_faces_[p].inside.size() > 1 && on_faces_[p].all_covered();
+}
+
+bool Nesting::is_in_several(std::uint32_t p) const {
+  if (has_faces_in_several(p)) return true;
+  return below_[p].inside.size() > 1 && below_[p].all_covered() &&
+         std::ranges::any_of(below_[p].inside, [&](const auto& q) {
+           return !below_[q.first].all_inside(p);  // they are not just what it is
+         });
+}
+
+bool Nesting::is_outermost(std::uint32_t q, std::uint32_t but) const {
+  const auto others =
+      std::ranges::count_if(around_[q], [&](std::uint32_t further) { return further != but; });
+  return (others < 2 || !is_in_several(q)) &&
+         std::ranges::none_of(around_[q], [&](std::uint32_t further) {
+           return further != but && is_in(q, further);
+         });
+}
+
+/// Finds parts that others in them, the other way round, leave nothing of: these are no cavities
+/// but the same body again.
+void Nesting::find_filled(const std::vector<PartPoint>& below,
+                          const std::vector<PartWindings>& around,
+                          const std::vector<PartFacts>& facts) {
+  for (std::size_t q = 0; q < filled_.size(); ++q) filled_[q] = below_[q].all_covered();
+  for (std::size_t k = 0; k < below.size(); ++k) {
+    const std::uint32_t q = below[k].part;
+    filled_[q] =
+        filled_[q] && std::ranges::any_of(around[k], [&](const auto& found) {
+          const std::uint32_t p = found.first;
+          return p != q && facts[p].volume * facts[q].volume < 0 && below_[p].all_inside(q);
+        });
   }
-
-  /// Parts that have a sample point of this one inside.
-  const std::set<std::uint32_t>& around(std::uint32_t p) const { return around_[p]; }
-
-  bool is_in(std::uint32_t p, std::uint32_t q) const {
-    const Vec3 rounding = Vec3::Constant(bounds_rounding * bounds_[p].sizes().maxCoeff());
-    return (on_faces_[p].all_inside(q) ||
-            (below_[p].all_inside(q) && !below_[q].all_inside(p) && !filled_[q])) &&
-           (bounds_[p].min() + rounding - bounds_[q].min()).minCoeff() >= 0 &&
-           (bounds_[q].max() + rounding - bounds_[p].max()).minCoeff() >= 0;
-  }
-
-  /// Whether all of its surface lies inside others, of which there are several.
-  bool has_faces_in_several(std::uint32_t p) const {
-    return on_faces_[p].inside.size() > 1 && on_faces_[p].all_covered();
-  }
-
-  /// The same, but some of its faces may lie on theirs.
-  bool is_in_several(std::uint32_t p) const {
-    if (has_faces_in_several(p)) return true;
-    return below_[p].inside.size() > 1 && below_[p].all_covered() &&
-           std::ranges::any_of(below_[p].inside, [&](const auto& q) {
-             return !below_[q.first].all_inside(p);  // they are not just what it is
-           });
-  }
-
-  /// Whether it is nested in no part, leaving out `but`.
-  bool is_outermost(std::uint32_t q, std::uint32_t but) const {
-    const auto others =
-        std::ranges::count_if(around_[q], [&](std::uint32_t further) { return further != but; });
-    return (others < 2 || !is_in_several(q)) &&
-           std::ranges::none_of(around_[q], [&](std::uint32_t further) {
-             return further != but && is_in(q, further);
-           });
-  }
-
- private:
-  /// Finds parts that others in them, the other way round, leave nothing of: these are no cavities
-  /// but the same body again.
-  void find_filled(const std::vector<PartPoint>& below, const std::vector<PartWindings>& around,
-                   const std::vector<PartFacts>& facts) {
-    for (std::size_t q = 0; q < filled_.size(); ++q) filled_[q] = below_[q].all_covered();
-    for (std::size_t k = 0; k < below.size(); ++k) {
-      const std::uint32_t q = below[k].part;
-      filled_[q] =
-          filled_[q] && std::ranges::any_of(around[k], [&](const auto& found) {
-            const std::uint32_t p = found.first;
-            return p != q && facts[p].volume * facts[q].volume < 0 && below_[p].all_inside(q);
-          });
-    }
-  }
-
-  std::vector<Eigen::AlignedBox3d> bounds_;
-  std::vector<bool> filled_;                     // by part
-  std::vector<Samples> on_faces_, below_;        // by part
-  std::vector<std::set<std::uint32_t>> around_;  // by part
-};
-
-}  // namespace
+}
 
 std::vector<bool> parts_to_turn(const Sealed& sealed, const std::vector<PartFacts>& facts,
                                 const std::vector<bool>& solid, const Progress& progress) {

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "engine/body/body.hpp"
+#include "tests/support/defects.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
@@ -86,6 +87,49 @@ TEST(Components, a_cavity_stays_with_what_it_is_in_and_what_lies_in_it_is_by_its
     EXPECT_NEAR(v[0], 1000 - 512, 1e-9);
     EXPECT_NEAR(v[1], 64 - 8, 1e-9);
   }
+}
+
+/// A part with its cavity, one that clashes with it and covers the cavity's first corner, and the
+/// volumes of both.
+struct Clashing {
+  std::vector<PolygonSoup> soups;
+  std::vector<double> volumes;
+};
+
+std::vector<Clashing> clashing() {
+  const PolygonSoup ball = test::icosphere(3, 2), hollow = test::icosphere(2, 2);
+  const double ball_volume = volumes({ball})[0], hollow_volume = volumes({hollow})[0];
+  return {
+      {{cube(4), inside_out(cube(2)), moved(cube(2.5), {-1.5, -1.5, -1.5})}, {56, 15.625}},
+      {{inside_out(cube(4)), cube(2), inside_out(moved(cube(2.5), {-1.5, -1.5, -1.5}))},
+       {56, 15.625}},
+      {{ball, inside_out(hollow), moved(test::icosphere(2.5, 2), hollow.points.front())},
+       {ball_volume - hollow_volume, ball_volume * 2.5 * 2.5 * 2.5 / 27}},
+      // Hollow both: each cavity lies in both parts.
+      {{ball, inside_out(hollow), moved(ball, {0, 0, 0.5}), inside_out(moved(hollow, {0, 0, 0.5}))},
+       {ball_volume - hollow_volume, ball_volume - hollow_volume}}};
+}
+
+// Reference: the volumes of cubes, and of spheres by their scale.
+TEST(Components, a_cavity_stays_with_its_part_where_others_clash_with_it) {
+  for (const Clashing& c : clashing()) {
+    const auto found = volumes(components_of(together(c.soups)));
+    ASSERT_EQ(found.size(), c.volumes.size());
+    for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], c.volumes[i], 1e-9);
+  }
+}
+
+// Reference: the volumes of boxes.
+TEST(Components, a_hole_whose_faces_lie_on_the_parts_stays_with_it) {
+  for (const Vec3& hole : {Vec3(2, 2, 4), Vec3(1, 3, 4), Vec3(4, 0.5, 0.5)})
+    for (const bool first : {false, true}) {
+      const PolygonSoup shell = inside_out(test::box(hole)), peg = test::box(0.9 * hole);
+      const auto found = volumes(
+          components_of(first ? together({shell, cube(4), peg}) : together({cube(4), peg, shell})));
+      ASSERT_EQ(found.size(), 2u);
+      EXPECT_NEAR(found[0], 64 - hole.prod(), 1e-9);
+      EXPECT_NEAR(found[1], 0.729 * hole.prod(), 1e-9);
+    }
 }
 
 TEST(Components, what_lies_in_material_turned_the_same_way_is_no_cavity) {
