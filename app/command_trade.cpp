@@ -15,6 +15,7 @@
 #include "engine/study/trade/trade_chart.hpp"
 #include "engine/study/trade/trade_report.hpp"
 #include "engine/text/output_file.hpp"
+#include "engine/text/printable.hpp"
 
 namespace sonde::app {
 namespace {
@@ -77,9 +78,9 @@ void run_pair(const TradeOptions& options) {
   if (scene.trajectory) path = path_to_study(scene);
   ProgressLine progress(options.study.quiet, ProgressLine::Elsewhere::lines);
   TradeSetup setup{.pair = load_bodies(scene, options.study.quiet, progress)};
-  setup.scene = scene.name.empty()
-                    ? scene.probe.mesh.stem().string() + " on " + scene.fixed.mesh.stem().string()
-                    : scene.name;
+  setup.scene = utf8_text(scene.name.empty() ? scene.probe.mesh.stem().string() + " on " +
+                                                   scene.fixed.mesh.stem().string()
+                                             : scene.name);
   setup.seed = options.seed;
   setup.path = std::move(path);
   nlohmann::ordered_json inputs = study_inputs(scene, setup.pair);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/text/number_text.hpp"
+#include "engine/text/printable.hpp"
 
 namespace sonde::app {
 namespace {
@@ -21,6 +22,7 @@ struct ToText {
 
 struct ToJson {
   nlohmann::ordered_json operator()(std::monostate) const { return nullptr; }
+  nlohmann::ordered_json operator()(const char* value) const { return utf8_text(value); }
   nlohmann::ordered_json operator()(auto value) const { return value; }
 };
 

@@ -13,6 +13,7 @@
 #include "engine/base/error.hpp"
 #include "engine/settings/settings.hpp"
 #include "engine/text/output_file.hpp"
+#include "engine/text/printable.hpp"
 #include "engine/text/text_file.hpp"
 
 namespace sonde::app {
@@ -106,7 +107,7 @@ nlohmann::ordered_json study_inputs(const Scene& scene, const Pair& pair) {
     return known;
   };
   const auto body = [&](const SceneBody& described, const Body& loaded) {
-    nlohmann::ordered_json json{{"mesh", described.mesh.filename().string()},
+    nlohmann::ordered_json json{{"mesh", utf8_text(described.mesh.filename().string())},
                                 {"fingerprint", fingerprint_once(described.mesh)},
                                 {"scale", scene.unit * described.scale},
                                 {"solid", loaded.solid}};
@@ -115,7 +116,7 @@ nlohmann::ordered_json study_inputs(const Scene& scene, const Pair& pair) {
     if (described.components) json["components"] = true;
     for (const SceneBody& part : described.parts) {
       const auto& [q, p] = part.pose;
-      json["parts"].push_back({{"name", part_name(part)},
+      json["parts"].push_back({{"name", utf8_text(part_name(part))},
                                {"fingerprint", fingerprint_once(part.mesh)},
                                {"scale", part.scale},
                                {"pose", {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()}}});
