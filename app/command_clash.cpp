@@ -8,13 +8,16 @@
 #include <set>
 #include <thread>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
 #include "app/result_table.hpp"
+#include "engine/offset/offset_faces.hpp"
 #include "engine/study/assembly/clash_picture.hpp"
 #include "engine/text/output_file.hpp"
+#include "engine/text/printable.hpp"
 
 namespace sonde::app {
 namespace {
@@ -74,18 +77,19 @@ void add_parts(std::vector<Placed>& out, const SceneBody& whole, double unit,
     part.pose.p *= body.scale;
     part.pose = body.pose * part.pose;
     part.scene_file = body.scene_file;
+    part.offset = body.offset;
     out.push_back({part, unit});
   }
 }
 
-/// The bodies of all scenes, at their poses, and the meshes as they lie in their files.
+/// The parts of all scenes, at their poses, and the meshes as they lie in their files.
 std::vector<Placed> placed(const ClashFlags& flags, ComponentFiles& files) {
   std::vector<Placed> out;
   for (const std::string& file : flags.files) {
     if (is_scene(file)) {
       const Scene scene = scene_at(file, flags.within_folder);
-      out.push_back({scene.probe, scene.unit});
-      add_parts(out, scene.fixed, scene.unit, files);
+      for (const SceneBody* body : {&scene.probe, &scene.fixed})
+        add_parts(out, *body, scene.unit, files);
       continue;
     }
     SceneBody body;
@@ -126,7 +130,17 @@ class Loader {
   std::map<Key, std::shared_ptr<const Body>> known_;
 };
 
-std::vector<AssemblyPart> parts_of(const ClashFlags& flags) {
+/// What a reader of the list must know of a part, a scene's allowance among it.
+std::vector<std::string> part_remarks(const AssemblyPart& part) {
+  std::vector<std::string> remarks = remarks_on(*part.body);
+  if (std::string words = offset_words(part.body->offset); !words.empty())
+    remarks.push_back(std::move(words));
+  for (std::string& remark : remarks) remark.insert(0, part.name + ": ");
+  return remarks;
+}
+
+/// Says each remark on stderr, unless quiet, and keeps it.
+std::vector<AssemblyPart> parts_of(const ClashFlags& flags, std::vector<std::string>& remarks) {
   ComponentFiles files;
   const std::vector<Placed> bodies = placed(flags, files);
   Loader load_body_of(files);
@@ -137,10 +151,11 @@ std::vector<AssemblyPart> parts_of(const ClashFlags& flags) {
     const SceneBody& body = bodies[i].body;
     parts.push_back({new_name(names, part_name(body)), load_body_of(bodies[i]), body.pose});
     progress.show("reading parts", i + 1, bodies.size());
-    if (flags.output.quiet) continue;
-    if (remarks_on(*parts.back().body).empty()) continue;
-    progress.clear();
-    say_remarks_on(*parts.back().body, parts.back().name);
+    for (std::string& remark : part_remarks(parts.back())) {
+      progress.clear();
+      if (!flags.output.quiet) std::cerr << "sonde: " << printable(remark) << '\n';
+      remarks.push_back(std::move(remark));
+    }
   }
   return parts;
 }
@@ -209,7 +224,8 @@ void check_picture_folder(const std::string& folder) {
 void run(const ClashFlags& flags) {
   check_output(flags.output, {flags.files.begin(), flags.files.end()});
   if (!flags.pictures.empty()) check_picture_folder(flags.pictures);
-  const std::vector<AssemblyPart> parts = parts_of(flags);
+  ResultTable table{{clash_columns}, {}};
+  const std::vector<AssemblyPart> parts = parts_of(flags, table.head.remarks);
   if (parts.size() < 2) throw UsageError("give at least two parts: a scene, or two meshes");
   ClashOptions options = flags.options;
   options.threads =
@@ -219,7 +235,6 @@ void run(const ClashFlags& flags) {
   progress.clear();
   std::deque<std::string> names;
   for (const AssemblyPart& part : parts) names.push_back(part.name);
-  ResultTable table{{clash_columns}, {}};
   for (const Clash& clash : found) table.rows.push_back(row_of(clash, names));
   write_result(flags.output, flags.output.json ? to_json(table) : to_csv(table));
   if (!flags.pictures.empty()) write_pictures(flags.pictures, parts, found);

@@ -85,6 +85,44 @@ TEST_F(Assembly, clash_lists_a_part_that_is_there_twice) {
   }
 }
 
+// Reference: by hand, boxes that overlap by known lengths.
+TEST_F(Assembly, clash_lists_parts_of_the_probe_too) {
+  for (const double over : {0.002, 0.005, 0.03}) {
+    folder.write("list.sonde.json",
+                 R"({"probe": [{"name": "one", "mesh": "small.off"}, {"name": "two",
+                     "mesh": "small.off", "pose": [)" +
+                     std::to_string(0.1 - over) + R"(, 0, 0, 1, 0, 0, 0]}],
+                     "fixed": {"mesh": "large.off", "pose": [9, 0, 0, 1, 0, 0, 0]}})");
+    const Outcome done = expect_done("clash list.sonde.json");
+    const Csv found(done.out);
+    ASSERT_EQ(found.rows.size(), 1u);
+    EXPECT_EQ(found.text(0, "a"), "one");
+    EXPECT_EQ(found.text(0, "b"), "two");
+    EXPECT_NEAR(found.number(0, "depth"), over, 1e-6);
+    EXPECT_THAT(done.err, HasSubstr("3 parts: 1 pairs overlap"));
+  }
+}
+
+// Reference: by hand, the overlap less the allowance.
+TEST_F(Assembly, clash_says_that_a_scene_takes_the_probe_smaller_or_larger) {
+  for (const auto& [key, by] :
+       {std::pair{"allowance", -0.001}, {"allowance", -0.0005}, {"safety", 0.001}}) {
+    folder.write("taken.sonde.json",
+                 std::string("{\"") + key + "\": " + std::to_string(std::abs(by)) +
+                     R"(, "probe": {"mesh": "small.off", "pose": [0, 0, 0.148, 1, 0, 0, 0]},
+                         "fixed": {"mesh": "large.off"}})");
+    const Outcome done = expect_done("clash taken.sonde.json --json");
+    const json all = json::parse(done.out);
+    EXPECT_NEAR(all.at("results").at(0).at("depth").get<double>(), 0.002 + by, 1e-7);
+    const std::string word = std::string("small.off: taken ") +
+                             (by == -0.0005 ? "500 µm " : "1 mm ") +
+                             (by < 0 ? "smaller" : "larger");
+    EXPECT_THAT(all.at("remarks").at(0).get<std::string>(), HasSubstr(word));
+    EXPECT_THAT(done.err, HasSubstr(word));
+    EXPECT_THAT(expect_done("clash taken.sonde.json --quiet").err, testing::IsEmpty());
+  }
+}
+
 TEST_F(Assembly, clash_draws_each_pair) {
   stand_over("in.sonde.json", -0.002);
   stand_over("over.sonde.json", 0.003);
@@ -99,6 +137,22 @@ TEST_F(Assembly, clash_draws_each_pair) {
   EXPECT_GT(pictures, 0u);
   expect_refused("clash in.sonde.json --pictures drawn", 3, "is not empty");
   expect_refused("clash in.sonde.json --pictures small.off", 3, "is no folder");
+}
+
+TEST_F(Assembly, files_whose_names_are_no_utf8_are_taken) {
+  for (const std::string name : {"K\xf6rper.off", "\xff\xfe.off", "a\xe3\x83.off"}) {
+    std::filesystem::copy_file(folder / "small.off", folder / name);
+    const Outcome done = expect_done("clash " + name + " large.off --json");
+    EXPECT_EQ(json::parse(done.out).at("results").at(0).at("kind"), "overlapping");
+    EXPECT_THAT(done.out, HasSubstr("\\\\x"));
+    const std::string pair = " --probe " + name + " --fixed large.off ";
+    for (const char* form : {"", " --json --contacts contacts.csv"})
+      expect_done("query" + pair + "--poses poses.csv" + form);
+    expect_done("insert" + pair + "--trajectory path.csv --quiet --out in-" + name);
+    folder.write("at.csv", "x,y,z\n0,0,0\n");
+    const Outcome points = expect_done("points " + name + " --points at.csv --json");
+    EXPECT_EQ(json::parse(points.out).at("results").at(0).at("inside"), true);
+  }
 }
 
 TEST_F(Assembly, clash_refuses_what_it_cannot_use) {
