@@ -17,6 +17,7 @@ struct OverlapTuning {
   int first_look = 64;  ///< lines along a side, to decide whether anything overlaps
   int rasters[2] = {256,
                     512};  ///< that integrate; what the two differ by is the error that is said
+  int local_rasters[2] = {64, 128};  ///< the same, through a place where parts cross
   /// Share of the size: overlap over less of a line is rounding, where faces lie on each other.
   double rounding = 1e-9;
   /// Share of the volume: with less overlap, the sum over the triangles is used, to its last
@@ -40,8 +41,8 @@ struct Region {
 /// The region of closed parts. If no two parts cross, each one bounds the region everywhere or
 /// nowhere, and the sum over those that do is exact. Otherwise (winding number ≠ 0) − (winding
 /// number) is integrated along lines. Returns an empty soup if no line meets winding numbers other
-/// than 0 and 1 over more than the rounding: then the sum over all triangles is correct. Throws
-/// Cancelled.
+/// than 0 and 1 over more than the rounding, neither of some through all nor of those through the
+/// places where parts cross: then the sum over all triangles is correct. Throws Cancelled.
 Region find_region(const Soup& soup, const std::vector<std::uint32_t>& part,
                    const Progress& progress = {});
 

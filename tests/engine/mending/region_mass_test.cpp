@@ -89,6 +89,47 @@ TEST(RegionMass, parts_that_cross_count_once) {
   }
 }
 
+PolygonSoup turned_about_z(const PolygonSoup& soup, double angle) {
+  return test::moved(soup, [angle](const Vec3& x) {
+    return Vec3(std::cos(angle) * x.x() - std::sin(angle) * x.y(),
+                std::sin(angle) * x.x() + std::cos(angle) * x.y(), x.z());
+  });
+}
+
+// Reference: closed forms. What thin parts have in common is so little of all that none of the
+// lines through all of it meets it, but half a percent of the volume.
+TEST(RegionMass, thin_parts_that_cross_count_once) {
+  struct Case {
+    PolygonSoup a, b;
+    double together, common;
+  };
+  std::vector<Case> cases;
+  for (const double t : {0.01, 0.004, 0.001}) {
+    const PolygonSoup rod = test::box({1, t, t});
+    for (const double angle : {0.5 * std::numbers::pi, 0.7})
+      cases.push_back({test::triangulated(rod), turned_about_z(rod, angle), 2 * t * t,
+                       t * t * t / std::sin(angle)});
+    // An end in the other, which its corners are inside of; a needle through a plate.
+    cases.push_back(
+        {test::box({2 * t, 1, 2 * t}), test::placed(rod, {0.5, 0.3, 0}), 5 * t * t, t * t * t});
+    cases.push_back({test::box({1, 1, t}), test::placed(test::box({t, t, 1}), {0.2, 0.3, 0}),
+                     t + t * t, t * t * t});
+  }
+  for (const Case& c : cases)
+    for (const double turn : {0.0, 0.9}) {
+      const Region region = Two(turned_about_z(c.a, turn), turned_about_z(c.b, turn)).region();
+      const double volume = c.together - c.common;
+      if (!region.overlaps) {
+        EXPECT_LT(c.common, overlap_tuning.least * volume);
+        continue;
+      }
+      EXPECT_NEAR(mass_of(region).measure, volume,
+                  std::max(1e-3 * c.common, region.error * volume));
+      EXPECT_GT(region.error, 0);
+      EXPECT_LT(region.error, c.common / volume);
+    }
+}
+
 // Lobes of winding +1 and -1: a box whose upper half is mirrored. Reference: half of it each,
 // two wedges of 2 x 2 x 2 together 4 (the sum over the triangles is 0).
 TEST(RegionMass, lobes_that_wind_the_other_way_count) {
