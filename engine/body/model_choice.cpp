@@ -76,6 +76,13 @@ RepairPlaces places_of(Mended& mended, const Soup& all) {
   return places;
 }
 
+/// What is odd about pockets that the file closes by a wall.
+std::string lid_words(std::size_t lids) {
+  return counted(lids, "triangle") +
+         " across the mouths of pockets that are shells of their own, on the body's face: no "
+         "material, but walls, as all triangles are";
+}
+
 }  // namespace
 
 bool may_need_mending(const Body& body, const Progress& progress) {
@@ -101,6 +108,7 @@ std::vector<TriangleKind> choose_mended(Body& body, const Soup& all, Model asked
                                         const Progress& progress) {
   Mended mended = mend(all, body.topology, asked, body.name, part_of(progress, 0, 0.4));
   body.why = mended.why;
+  if (mended.lids > 0) body.remarks.push_back(lid_words(mended.lids));
   const bool any_inside = !mended.solid.soup.triangles.empty();
   Region region;
   if (any_inside)

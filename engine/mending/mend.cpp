@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "engine/base/ordering.hpp"
 #include "engine/base/progress.hpp"
 #include "engine/mending/distinct.hpp"
 #include "engine/mending/nesting.hpp"
@@ -21,6 +22,9 @@ namespace {
 constexpr double most_doubtful = 0.25;
 /// Times the size of a triangle: how far beside a wall it is looked which side is inside.
 constexpr double beside_wall = 1e-4;
+/// Triangles of cavities that are looked at, the largest: a mouth is flat, and cut as coarsely as
+/// may be. More cost some µs each.
+constexpr std::size_t most_lids = 20'000;
 
 class Mender {
  public:
@@ -40,6 +44,7 @@ class Mender {
     choose(sealed, part_of(progress, 0.9, 1));
     put_out();
     hide_walls();
+    count_lids();
     describe();
     find_places();
     return std::move(out_);
@@ -139,34 +144,76 @@ class Mender {
   /// can be touched, and are fins if both of their sides are outside.
   void hide_walls() {
     out_.fins.assign(out_.triangles.size(), false);
-    std::vector<PartPoint> middles;
     std::vector<std::size_t> walls;
-    const auto& x = soup_.vertices;
+    for (std::size_t i = 0; i < out_.triangles.size(); ++i)
+      if (out_.parts[i] == Mended::no_part) walls.push_back(i);
+    const std::vector<Sides> sides = sides_of(walls);
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      if (sides[k].on) {
+        out_.kinds[walls[k]] = TriangleKind::hidden;
+        out_.as_given = false;
+      } else {
+        out_.fins[walls[k]] = !sides[k].above && !sides[k].below;
+      }
+    }
+  }
+
+  /// Counts triangles of cavities that bound nothing: what is beyond them is outside too. (Of the
+  /// body's face that they lie on, only a part of each triangle may be such.)
+  void count_lids() {
+    std::vector<std::size_t> of_cavities;
     for (std::size_t i = 0; i < out_.triangles.size(); ++i) {
-      if (out_.parts[i] != Mended::no_part) continue;
+      const std::uint32_t part = out_.parts[i];
+      if (part != Mended::no_part && solid_[part] && (facts_[part].volume < 0) != turn_[part])
+        of_cavities.push_back(i);
+    }
+    if (of_cavities.size() > most_lids) {
+      const auto last = of_cavities.begin() + static_cast<std::ptrdiff_t>(most_lids);
+      ordering::nth_element(of_cavities.begin(), last, of_cavities.end(),
+                            [&](std::size_t i, std::size_t j) {
+                              const double a = area_of(i), b = area_of(j);
+                              return a != b ? a > b : i < j;
+                            });
+      of_cavities.erase(last, of_cavities.end());
+    }
+    out_.lids = static_cast<std::size_t>(std::ranges::count_if(
+        sides_of(of_cavities), [](const Sides& s) { return !s.above && !s.below; }));
+  }
+
+  double area_of(std::size_t i) const {
+    const Triangle& t = out_.triangles[i];
+    const auto& x = soup_.vertices;
+    return (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).norm();
+  }
+
+  /// Whether the inside is at the middle of a triangle, and a little above and below it.
+  struct Sides {
+    bool on, above, below;
+  };
+
+  /// Of each of some triangles; empty where nothing has an inside.
+  std::vector<Sides> sides_of(const std::vector<std::size_t>& triangles) const {
+    if (triangles.empty() || out_.solid.soup.triangles.empty()) return {};
+    std::vector<PartPoint> points;
+    const auto& x = soup_.vertices;
+    for (const std::size_t i : triangles) {
       const Triangle& t = out_.triangles[i];
       const Vec3 middle = (x[t[0]] + x[t[1]] + x[t[2]]) / 3,
                  normal = (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]);
       const Vec3 off = beside_wall * normal / std::sqrt(std::max(normal.norm(), 1e-300));
       for (const Vec3& at : {middle, Vec3(middle + off), Vec3(middle - off)})
-        middles.push_back({at, Mended::no_part});
-      walls.push_back(i);
+        points.push_back({at, Mended::no_part});
     }
-    if (walls.empty() || out_.solid.soup.triangles.empty()) return;
-    const std::vector<PartWindings> around = part_windings(out_.solid, middles);
+    const std::vector<PartWindings> around = part_windings(out_.solid, points);
     const auto is_inside = [&](std::size_t k) {
       int winding = 0;
       for (const auto& [part, times] : around[k]) winding += times;
       return winding != 0;
     };
-    for (std::size_t k = 0; k < walls.size(); ++k) {
-      if (is_inside(3 * k)) {
-        out_.kinds[walls[k]] = TriangleKind::hidden;
-        out_.as_given = false;
-      } else {
-        out_.fins[walls[k]] = !is_inside(3 * k + 1) && !is_inside(3 * k + 2);
-      }
-    }
+    std::vector<Sides> out;
+    for (std::size_t k = 0; k < triangles.size(); ++k)
+      out.push_back({is_inside(3 * k), is_inside(3 * k + 1), is_inside(3 * k + 2)});
+    return out;
   }
 
   void describe() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -42,6 +43,9 @@ struct Mended {
   bool cracked = false;
   bool as_given = true;  ///< the triangles are the soup's own, unturned, in their order
   std::string why;       ///< why it is a solid or a surface
+  /// Triangles of cavities with nothing on either side, as across the mouth of a pocket that is a
+  /// shell of its own: there is no material, but they are walls, as all triangles.
+  std::size_t lids = 0;
   Repairs repairs;
   RepairPlaces places;  ///< all except the hidden triangles; sort_and_cap() has not been called
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "engine/body/model_choice.hpp"
 #include "engine/queries/body_queries.hpp"
 #include "tests/support/defects.hpp"
@@ -55,6 +57,36 @@ TEST(ModelChoiceOfPockets, a_hole_whose_faces_lie_on_the_bodys_stays_one) {
         EXPECT_EQ(beside->repairs.turned_parts, 1u);
         EXPECT_TRUE(inside(*beside, h.in_hole + Vec3(20, 0, 0)));
       }
+}
+
+/// The triangles across mouths, by the remark on them; 0 where there is none.
+int lids(const PolygonSoup& mesh) {
+  const auto body = test::body(mesh);
+  for (const std::string& remark : body->remarks)
+    if (remark.find("across the mouths") != remark.npos) return std::stoi(remark);
+  return 0;
+}
+
+// Reference: by hand, the triangles of the hole's faces that lie on the body's. They stay walls,
+// since no triangle is left out or cut, and so it is said.
+TEST(ModelChoiceOfPockets, what_lies_across_the_mouth_is_said_to_stay_a_wall) {
+  std::vector<Holed> all = holed();
+  all.back() = {
+      all[0].body, test::placed(test::box({1, 1, 0.5}), {0.5, 0.2, 0.75}), 0, {}};  // an edge
+  const int expected[] = {2, 24, 2 * 17, 2, 4};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const PolygonSoup hole = test::turned_over(test::triangulated(all[i].hole));
+    const PolygonSoup mesh = test::joined(all[i].body, hole);
+    EXPECT_EQ(lids(mesh), expected[i]) << i;
+    EXPECT_EQ(lids(test::turned_over(mesh)), expected[i]) << i;
+    EXPECT_EQ(lids(test::joined(all[i].body, test::placed(hole, {20, 0, 0}))), 0) << i;
+  }
+  const PolygonSoup block = test::box({4, 4, 4});
+  for (const PolygonSoup& cavity :
+       {test::box({1, 2, 3}), test::icosphere(1.5, 2), test::torus(1, 0.4, 20, 8)}) {
+    EXPECT_EQ(lids(test::joined(block, test::turned_over(cavity))), 0) << "within";
+    EXPECT_EQ(lids(test::joined(block, cavity)), 0);
+  }
 }
 
 // With what fills the hole exactly, in any order: material all through.
