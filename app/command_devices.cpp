@@ -98,6 +98,7 @@ Json json_of(const VendorLibraryListing& library) {
 std::string devices_json(const std::vector<DeviceListing>& devices,
                          const std::vector<VendorLibraryListing>& libraries) {
   Json json;
+  json["format"] = 1;
   json["units"] = {{"max_force", "N"},
                    {"max_torque", "N*m"},
                    {"max_stiffness", "N/m"},

@@ -211,6 +211,7 @@ std::string to_text(const std::vector<MeshReport>& reports) {
 
 std::string to_json(const std::vector<MeshReport>& reports) {
   Json json;
+  json["format"] = 1;
   json["units"] = {{"volume", "m^3"}, {"area", "m^2"}, {"center_of_mass", "m"}, {"inertia", "m^2"},
                    {"radius", "m"},   {"bounds", "m"}, {"offset", "m"}};
   json["meshes"] = Json::array();

@@ -91,6 +91,7 @@ std::string to_text(const std::vector<std::unique_ptr<Recording>>& recordings) {
 
 std::string to_json(const std::vector<std::unique_ptr<Recording>>& recordings) {
   Json json;
+  json["format"] = 1;
   json["units"] = {{"duration", "s"}, {"rate", "Hz"}};
   json["recordings"] = Json::array();
   for (const auto& recording : recordings) json["recordings"].push_back(json_of(*recording));

@@ -59,7 +59,9 @@ TEST_F(Devices, nothing_connected_is_no_error) {
   const Outcome run = devices(folder, "", "", "");
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, testing::StartsWith("no 6-DoF device is connected\n"));
-  EXPECT_EQ(json::parse(devices(folder, "", "", "--json").out).at("devices"), json::array());
+  const json none = json::parse(devices(folder, "", "", "--json").out);
+  EXPECT_EQ(none.at("format"), 1);
+  EXPECT_EQ(none.at("devices"), json::array());
 }
 
 TEST_F(Devices, a_puck_is_listed_with_what_it_can) {

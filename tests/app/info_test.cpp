@@ -33,6 +33,7 @@ TEST_F(Info, a_zero_has_no_sign) {
 TEST_F(Info, two_meshes_are_told_how_far_apart_they_lie) {
   folder.write("away.obj", "v 0.15 0 0\nv 0.15 1 0\nv 0.15 0 1\nf 1 2 3\n");
   const json apart = json::parse(expect_done("info --json large.off away.obj").out);
+  EXPECT_EQ(apart.at("format"), 1);
   EXPECT_NEAR(apart.at("clearance").at("distance").get<double>(), 0.05, 1e-12);
   EXPECT_FALSE(apart.at("clearance").at("overlapping").get<bool>());
   EXPECT_THAT(expect_done("info large.off away.obj").out,
