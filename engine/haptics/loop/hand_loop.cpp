@@ -29,6 +29,15 @@ double stiffness_of_lag(const Coupling& c, const MassProperties& mass) noexcept 
   return std::max(c.k_t, c.k_r / std::sqrt(least * largest));
 }
 
+constexpr double whole_force = 0.01;  // s: least time for the whole of the device's force
+
+/// Moves from `last` towards `wanted`, by at most `most`.
+Vec3 towards(const Vec3& wanted, const Vec3& last, double most) noexcept {
+  const Vec3 change = wanted - last;
+  const double size = change.norm();
+  return size > most ? Vec3(last + change * (most / size)) : wanted;
+}
+
 constexpr double slow_enough = 0.03;  // m/s, a third of the speed at which a handle may be moved
 
 }  // namespace
@@ -61,6 +70,7 @@ void HandLoop::restart(const Pose& X_FM) noexcept {
   passivity_.restart(X_FM);
   runaway_.restart();
   gate_.restart();
+  damping_ = Wrench{};
   ids_.forget();
   way_ = way_before_ = 0;
   leapt_ = false;
@@ -144,7 +154,6 @@ void HandLoop::measure_way(const Pose& before, double fastest, double dt) noexce
 /// for a tick, other gains). Out of contact the wrench ends immediately, unless the pose leapt
 /// there.
 void HandLoop::set_slew(double dt) noexcept {
-  constexpr double whole = 0.01;  // s: least time for the whole of the device's force
   constexpr double margin = 2;
   if (!(rate_.force > 0) || !(dt > 0)) return gate_.set_slew({});
   const Coupling& c = coupler_.coupling();
@@ -159,8 +168,8 @@ void HandLoop::set_slew(double dt) noexcept {
   ForceGate::Slew slew{margin * (stiff * way_ + b_t * both) / dt,
                        margin * (turning * way_ + turning_b * both) / dt,
                        out_.separation.status == Status::separated && !leapt_};
-  slew.force = std::min(slew.force, most_force() / whole) + rate_.force;
-  slew.torque = std::min(slew.torque, most_torque() / whole) + rate_.torque;
+  slew.force = std::min(slew.force, most_force() / whole_force) + rate_.force;
+  slew.torque = std::min(slew.torque, most_torque() / whole_force) + rate_.torque;
   gate_.set_slew(slew);
 }
 
@@ -251,7 +260,7 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
   device_ = sample.device;
   set_change_rate(sample);
   passivity_.set_device(sample.device);
-  passivity_.observe(X_FM_, clock.dt);
+  passivity_.observe(X_FM_, clock.dt, leapt_ && device_ && !sample.trial);
   separate(contacts, clock);
   if (out_.separation.status == Status::separated) runaway_.release();
   out_.hand.held = sample.held;
@@ -268,13 +277,28 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
   out_.hand.asked = coupler_.wrench(out_.separation, clock.dt);
   const bool given = reason == Withheld::nothing || reason == Withheld::unsettled;
   const bool acts = given && device_ && device_->force;
-  const Wrench damped = acts ? passivity_.control(out_.hand.asked) : out_.hand.asked;
   set_slew(clock.dt);
-  out_.wrench = gate_.pass(damped, reason, coupling.max_force, coupling.max_torque, clock.dt);
+  const Wrench passed =
+      gate_.pass(out_.hand.asked, reason, coupling.max_force, coupling.max_torque, clock.dt);
+  out_.wrench = acts ? damped(passed, clock.dt) : passed;
   passivity_.rendered(out_.wrench);
   say_gate();
   out_.hand.energy = passivity_.energy();
   return out_;
+}
+
+/// Energy in excess is damped behind the gate. While a force still rises to what is wanted, after a
+/// jump of the contact, what is taken from the wanted one would not be missed. The damping itself
+/// comes no faster than the device's force may change by the hand's own motion.
+Wrench HandLoop::damped(const Wrench& passed, double dt) noexcept {
+  const Wrench wanted = passivity_.control(passed);
+  const double share = dt > 0 ? dt / whole_force : 0;
+  const Vec3 force = wanted.force - passed.force, torque = wanted.torque - passed.torque;
+  damping_.force = towards(force, damping_.force, share * most_force());
+  damping_.torque = towards(torque, damping_.torque, share * most_torque());
+  if (passed.force.isZero(0) && passed.torque.isZero(0)) damping_ = Wrench{};
+  return limit({passed.force + damping_.force, passed.torque + damping_.torque},
+               coupler_.coupling().max_force, coupler_.coupling().max_torque);
 }
 
 /// The wrench of a trial is not counted in the energy, which is that of contacts.
@@ -313,6 +337,7 @@ const HandTick& HandLoop::rest(Withheld why) noexcept {
   rest_ = why;
   coupler_.forget();
   gate_.pass(Wrench{}, why, 0, 0, 0);
+  damping_ = Wrench{};
   passivity_.rendered(Wrench{});
   out_.wrench = Wrench{};
   out_.hand.withheld = why;

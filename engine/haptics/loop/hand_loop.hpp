@@ -120,6 +120,8 @@ class HandLoop {
   /// Renders the wrench of a hand that is being measured, through the gate.
   void try_out(HandTrial& trial, Withheld reason, double dt) noexcept;
   void say_gate() noexcept;
+  /// The wrench that the gate let through, less what dissipates energy in excess.
+  Wrench damped(const Wrench& passed, double dt) noexcept;
   bool pushed() const noexcept;  ///< whether the last wrench was not zero
   void separate(const LocalContacts& contacts, const Clock& clock) noexcept;
 
@@ -136,6 +138,7 @@ class HandLoop {
   Passivity passivity_;
   Runaway runaway_;
   ForceGate gate_;
+  Wrench damping_;  ///< of the last tick, part of its wrench
   ClusterIds ids_;
   double lag_ = 0;                   ///< m, of the last answer (LocalAnswer)
   double way_ = 0, way_before_ = 0;  ///< m, in the object norm, of the last two ticks
