@@ -39,7 +39,9 @@ Vec3 towards(const Vec3& wanted, const Vec3& last, double most) noexcept {
   return size > most ? Vec3(last + change * (most / size)) : wanted;
 }
 
-constexpr double longest_since = 0.02;  // s: a device that is silent for longer is not trusted
+/// s: a device that reports less often than this is slow for a force. So a pose that is wrong by a
+/// centimetre is never taken for motion.
+constexpr double longest_since = 0.005;
 
 constexpr double slow_enough = 0.03;  // m/s, a third of the speed at which a handle may be moved
 
