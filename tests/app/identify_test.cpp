@@ -93,7 +93,7 @@ TEST_F(IdentifyConnected, it_takes_consent_and_a_device_that_is_there) {
   ::unsetenv("SONDE_LIBDHD");
   const Outcome gone = sonde(flags + consent);
   EXPECT_EQ(gone.exit_code, 3);
-  EXPECT_THAT(gone.err, HasSubstr("libdhd/0: "));
+  EXPECT_THAT(gone.err, HasSubstr("libdhd/0: no 6-DoF device is connected at libdhd/0"));
 }
 
 // A machine that wakes so late that few pulses are whole is refused, and that it is such a one is
