@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "engine/base/error.hpp"
+#include "app/options.hpp"
 
 namespace sonde::app {
 namespace {
@@ -24,11 +24,10 @@ DeviceProfile device_named(const std::string& id) {
   const std::vector<fs::path> folders = profile_folders();
   try {
     return find_device_profile(id, folders);
-  } catch (const InputError& error) {
-    if (id.ends_with(".json")) throw;
+  } catch (const UnknownProfile& error) {
     std::string known;
     for (const std::string& each : device_profile_ids(folders)) known += " " + each;
-    throw InputError(error.what() + ("; known are:" + known));
+    throw UsageError(error.what() + ("; known are:" + known));
   }
 }
 

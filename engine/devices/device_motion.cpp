@@ -2,6 +2,7 @@
 #include "engine/devices/device_motion.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -122,6 +123,10 @@ HandSample DeviceMotion::move(const DeviceSample& sample, double dt) noexcept {
     else
       X_FC_ = position_controlled(rest_, deflection, reach());
   }
+  const bool reported = neighbours && sample.count != count_;
+  const double since = reported ? std::chrono::duration<double>(sample.time - time_).count() : 0;
+  count_ = sample.count;
+  time_ = sample.time;
   following_ = follow;
   session_ = sample.session;
   position_ = sample.position;
@@ -130,7 +135,8 @@ HandSample DeviceMotion::move(const DeviceSample& sample, double dt) noexcept {
           .held = !clutch_open_,
           .trusted = trusted,
           .changed = turned,
-          .device = position_ ? std::optional(traits(sample)) : std::nullopt};
+          .device = position_ ? std::optional(traits(sample)) : std::nullopt,
+          .since = since};
 }
 
 DeviceWrench DeviceMotion::on_handle(const Wrench& wrench) const noexcept {

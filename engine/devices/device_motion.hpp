@@ -56,6 +56,8 @@ class DeviceMotion {
   bool position_ = false;                 ///< of the last sample
   bool clutch_open_ = false;
   std::uint32_t session_ = 0;
+  std::uint64_t count_ = 0;  ///< of reports, at the last sample
+  DeviceClock::time_point time_{};
 };
 
 }  // namespace sonde

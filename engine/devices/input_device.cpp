@@ -46,6 +46,12 @@ std::string silence(const DeviceSample& sample) {
   return "nothing of use heard from it for more than " + std::to_string(limit.count()) + " ms";
 }
 
+/// Why there is no device; `path`: where one was asked for.
+std::string absence(const std::string& path, bool was_there) {
+  if (path.empty()) return "no 6-DoF device is connected that fits";
+  return (was_there ? "it is no longer at " : "no 6-DoF device is connected at ") + path;
+}
+
 }  // namespace
 
 struct InputDevice::State {
@@ -199,8 +205,7 @@ std::optional<Connection> InputDevice::State::find() {
   if (!reasons.empty())
     publish(DeviceState::refused, reasons);
   else if (sample.state != DeviceState::absent || status.reason.empty())
-    publish(DeviceState::absent, choice.path.empty() ? "no 6-DoF device is connected that fits"
-                                                     : "it is no longer at " + choice.path);
+    publish(DeviceState::absent, absence(choice.path, status.connections > 0));
   return {};
 }
 

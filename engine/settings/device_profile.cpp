@@ -164,11 +164,13 @@ DeviceProfile find_device_profile(std::string_view id_or_file, std::span<const P
   // Of the ids there are, never a path made of what was typed.
   const std::vector<std::string> ids = device_profile_ids(folders);
   if (!std::ranges::binary_search(ids, id_or_file)) {
+    const std::string none = "no device profile " + in_quotes(id_or_file);
+    if (id_or_file.find('/') != std::string_view::npos)
+      throw InputError(none + "; the name of a profile's file ends in \".json\"");
+    if (ids.empty()) throw UnknownProfile(none + "; none was found at all");
     const std::vector<std::string_view> known(ids.begin(), ids.end());
-    throw InputError("no device profile " + in_quotes(id_or_file) +
-                     (ids.empty()
-                          ? "; none was found at all"
-                          : "; the nearest known one is " + in_quotes(nearest(id_or_file, known))));
+    throw UnknownProfile(none + "; the nearest known one is " +
+                         in_quotes(nearest(id_or_file, known)));
   }
   const std::string name = std::string(id_or_file).append(ending);
   const auto folder = std::ranges::find_if(

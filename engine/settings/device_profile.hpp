@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/base/error.hpp"
 #include "engine/haptics/hand/simulated_device.hpp"
 
 namespace sonde {
@@ -73,9 +74,17 @@ std::string device_profile_text(const DeviceProfile& profile);
 /// none.
 std::vector<std::string> device_profile_ids(std::span<const std::filesystem::path> folders);
 
+/// No profile has that id. A program takes this for wrong usage, as any word that it does not know;
+/// a file or a path that cannot be used is bad input.
+class UnknownProfile : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// The profile that a user names: the path of a file (it ends in ".json"), or an id, which is
 /// searched in the folders in their order (the user's own before those that came with the program).
-/// Throws InputError naming the nearest known id; else as read_device_profile.
+/// Throws UnknownProfile naming the nearest known id, InputError where it is another path; else as
+/// read_device_profile.
 DeviceProfile find_device_profile(std::string_view id_or_file,
                                   std::span<const std::filesystem::path> folders);
 

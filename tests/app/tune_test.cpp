@@ -109,8 +109,13 @@ TEST_F(Tune, a_damaged_part_is_named_and_nothing_is_joined) {
 
 TEST_F(Tune, bad_input_is_refused_before_any_work) {
   const std::string scene = "tune boxes.sonde.json --out out ";
-  expect_refused(scene + "--device sigma7", 3,
+  // As `sonde-view` ends: a word that names no device is wrong usage, a file or a path that cannot
+  // be used is bad input, with its own reason alone.
+  expect_refused(scene + "--device sigma7", 2,
                  "nearest known one is \"sigma.7\"; known are: lambda.7");
+  expect_refused(scene + "--device ''", 2, "known are: lambda.7");
+  expect_refused(scene + "--device none.json", 3, "none.json: ");
+  expect_refused(scene + "--device ./touch", 3, "a profile's file ends in \".json\"");
   expect_refused(scene, 2, "--device");
   for (const char* gain : {"0", "-5", "nan", "x", "inf", "1e12"}) {
     expect_refused(scene + "--device sigma.7 --from " + gain, 2, "between 1 and 100000");

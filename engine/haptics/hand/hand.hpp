@@ -46,6 +46,8 @@ struct HandSample {
   /// For a hand that is being measured, valid until its next sample: the loop renders this instead
   /// of the contact's wrench. Null for every other hand.
   HandTrial* trial = nullptr;
+  /// s: of the device, between the report before and that of this pose; 0: no longer than a tick.
+  double since = 0;
 };
 
 /// The source of the probe's pose and the receiver of the force: a mouse, a device, a simulated

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/base/numbers.hpp"
 #include "engine/geometry/chart.hpp"
 #include "engine/geometry/rotation.hpp"
 #include "engine/haptics/coupling/coupling_wrench.hpp"
@@ -28,6 +29,19 @@ double stiffness_of_lag(const Coupling& c, const MassProperties& mass) noexcept 
     if (inertia > 0) least = std::min(least, inertia);
   return std::max(c.k_t, c.k_r / std::sqrt(least * largest));
 }
+
+constexpr double whole_force = 0.01;  // s: least time for the whole of the device's force
+
+/// Moves from `last` towards `wanted`, by at most `most`.
+Vec3 towards(const Vec3& wanted, const Vec3& last, double most) noexcept {
+  const Vec3 change = wanted - last;
+  const double size = change.norm();
+  return size > most ? Vec3(last + change * (most / size)) : wanted;
+}
+
+/// s: a device that reports less often than this is slow for a force. So a pose that is wrong by a
+/// centimetre is never taken for motion.
+constexpr double longest_since = 0.005;
 
 constexpr double slow_enough = 0.03;  // m/s, a third of the speed at which a handle may be moved
 
@@ -61,8 +75,10 @@ void HandLoop::restart(const Pose& X_FM) noexcept {
   passivity_.restart(X_FM);
   runaway_.restart();
   gate_.restart();
+  damping_ = Wrench{};
   ids_.forget();
-  way_ = way_before_ = 0;
+  way_ = way_before_ = unspent_ = fresh_for_ = 0;
+  passed_ = Wrench{};
   leapt_ = false;
   device_.reset();
   X_FM_ = X_FM;
@@ -110,9 +126,9 @@ void HandLoop::follow(const HandSample& sample, double dt) noexcept {
   const ThrownSpeed fastest = can_throw ? thrown_speed(*sample.device, fastest_) : fastest_;
   // A hand that follows the mouse (SimulatedHand) states no ratio.
   const double ratio = can_throw && sample.device->ratio > 0 ? sample.device->ratio : 1;
-  // Uses the setting: if a device reports less often than the servo samples, one tick may contain
-  // the motion of several.
-  measure_way(before, fastest_.way * ratio, dt);
+  // If a device reports less often than the servo samples, one tick has the motion of several.
+  const double since = std::clamp(sample.since, dt, std::max(dt, longest_since));
+  measure_way(before, fastest_.way * ratio, since, dt);
   runaway_.set_fastest(fastest);
   if (!sample.device && !sample.trial) return runaway_.restart();
   if (!trusted || sample.changed || !(dt > 0)) return runaway_.lose_track();
@@ -126,17 +142,29 @@ void HandLoop::follow(const HandSample& sample, double dt) noexcept {
                    of_hand(turn, sample.device->turn_ratio), dt, pushed());
 }
 
-void HandLoop::measure_way(const Pose& before, double fastest, double dt) noexcept {
+void HandLoop::measure_way(const Pose& before, double fastest, double since, double dt) noexcept {
   way_before_ = way_;
   way_ = Chart(mass_, before).coordinates(X_FM_).norm();
-  leapt_ = fastest > 0 && way_ > fastest * dt;
-  if (leapt_) way_ = 0;  // no hand moves that fast
+  leapt_ = fastest > 0 && way_ > fastest * since;
+  // Until the next report is due, what this one has told is how the hand moves.
+  const bool waits = !(way_ > 0) && fresh_for_ > 0;
+  fresh_for_ = waits ? fresh_for_ - dt : since - dt;
+  if (leapt_) way_ = unspent_ = 0;  // no hand moves that fast
+  if (waits) return;
   const Vec3 moved = X_FM_ * mass_.com - before * mass_.com;
   const double force = out_.wrench.force.norm();
   const double given = force > 0 ? out_.wrench.force.dot(moved) / force : 0;
-  yields_ = dt > 0 ? given / dt : 0;
+  yields_ = since > 0 ? given / since : 0;
   // The force may grow only with motion against it or across it, not with motion in its direction.
   if (given > 0) way_ = std::sqrt(std::max(0.0, way_ * way_ - given * given));
+}
+
+/// A report permits a change by what the hand moved. What a tick makes less of it, because of the
+/// device's own limit, is left to the ticks until the next report is due.
+void HandLoop::spend(const Wrench& passed, double dt) noexcept {
+  const double spent = per_way_ > 0 ? (passed.force - passed_.force).norm() / per_way_ : infinity;
+  unspent_ = fresh_for_ > dt / 2 ? std::max(0.0, way_ + unspent_ - spent) : 0;
+  passed_ = passed;
 }
 
 /// Limits the change of the wrench: to twice what the hand's own motion can cause, plus the rate at
@@ -144,7 +172,6 @@ void HandLoop::measure_way(const Pose& before, double fastest, double dt) noexce
 /// for a tick, other gains). Out of contact the wrench ends immediately, unless the pose leapt
 /// there.
 void HandLoop::set_slew(double dt) noexcept {
-  constexpr double whole = 0.01;  // s: least time for the whole of the device's force
   constexpr double margin = 2;
   if (!(rate_.force > 0) || !(dt > 0)) return gate_.set_slew({});
   const Coupling& c = coupler_.coupling();
@@ -155,12 +182,13 @@ void HandLoop::set_slew(double dt) noexcept {
   const double stiff = object ? c.k : c.k_t;
   const double turning = object ? c.k / (per_turn > 0 ? per_turn : 1) : c.k_r * per_turn;
   const double turning_b = object ? b_t / (per_turn > 0 ? per_turn : 1) : c.b_r * per_turn;
-  const double both = (way_ + way_before_) / dt;
-  ForceGate::Slew slew{margin * (stiff * way_ + b_t * both) / dt,
-                       margin * (turning * way_ + turning_b * both) / dt,
+  const double way = way_ + unspent_, both = (way + way_before_) / dt;
+  per_way_ = margin * stiff;
+  ForceGate::Slew slew{margin * (stiff * way + b_t * both) / dt,
+                       margin * (turning * way + turning_b * both) / dt,
                        out_.separation.status == Status::separated && !leapt_};
-  slew.force = std::min(slew.force, most_force() / whole) + rate_.force;
-  slew.torque = std::min(slew.torque, most_torque() / whole) + rate_.torque;
+  slew.force = std::min(slew.force, most_force() / whole_force) + rate_.force;
+  slew.torque = std::min(slew.torque, most_torque() / whole_force) + rate_.torque;
   gate_.set_slew(slew);
 }
 
@@ -251,7 +279,7 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
   device_ = sample.device;
   set_change_rate(sample);
   passivity_.set_device(sample.device);
-  passivity_.observe(X_FM_, clock.dt);
+  passivity_.observe(X_FM_, clock.dt, leapt_ && device_ && !sample.trial);
   separate(contacts, clock);
   if (out_.separation.status == Status::separated) runaway_.release();
   out_.hand.held = sample.held;
@@ -268,13 +296,29 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
   out_.hand.asked = coupler_.wrench(out_.separation, clock.dt);
   const bool given = reason == Withheld::nothing || reason == Withheld::unsettled;
   const bool acts = given && device_ && device_->force;
-  const Wrench damped = acts ? passivity_.control(out_.hand.asked) : out_.hand.asked;
   set_slew(clock.dt);
-  out_.wrench = gate_.pass(damped, reason, coupling.max_force, coupling.max_torque, clock.dt);
+  const Wrench passed =
+      gate_.pass(out_.hand.asked, reason, coupling.max_force, coupling.max_torque, clock.dt);
+  spend(passed, clock.dt);
+  out_.wrench = acts ? damped(passed, clock.dt) : passed;
   passivity_.rendered(out_.wrench);
   say_gate();
   out_.hand.energy = passivity_.energy();
   return out_;
+}
+
+/// Energy in excess is damped behind the gate. While a force still rises to what is wanted, after a
+/// jump of the contact, what is taken from the wanted one would not be missed. The damping itself
+/// comes no faster than the device's force may change by the hand's own motion.
+Wrench HandLoop::damped(const Wrench& passed, double dt) noexcept {
+  const Wrench wanted = passivity_.control(passed);
+  const double share = dt > 0 ? dt / whole_force : 0;
+  const Vec3 force = wanted.force - passed.force, torque = wanted.torque - passed.torque;
+  damping_.force = towards(force, damping_.force, share * most_force());
+  damping_.torque = towards(torque, damping_.torque, share * most_torque());
+  if (passed.force.isZero(0) && passed.torque.isZero(0)) damping_ = Wrench{};
+  return limit({passed.force + damping_.force, passed.torque + damping_.torque},
+               coupler_.coupling().max_force, coupler_.coupling().max_torque);
 }
 
 /// The wrench of a trial is not counted in the energy, which is that of contacts.
@@ -313,6 +357,7 @@ const HandTick& HandLoop::rest(Withheld why) noexcept {
   rest_ = why;
   coupler_.forget();
   gate_.pass(Wrench{}, why, 0, 0, 0);
+  damping_ = Wrench{};
   passivity_.rendered(Wrench{});
   out_.wrench = Wrench{};
   out_.hand.withheld = why;

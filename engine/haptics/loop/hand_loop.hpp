@@ -111,15 +111,19 @@ class HandLoop {
   void follow(const HandSample& sample, double dt) noexcept;
   void set_change_rate(const HandSample& sample) noexcept;
   /// Measures the hand's motion in this tick, from which the permitted change of the wrench
-  /// follows. `fastest`: speed limit of the probe, m/s; 0: no limit.
-  void measure_way(const Pose& before, double fastest, double dt) noexcept;
+  /// follows. `fastest`: what moves faster leapt, m/s; 0: nothing does; `since`: time of
+  /// the motion, s.
+  void measure_way(const Pose& before, double fastest, double since, double dt) noexcept;
   void set_slew(double dt) noexcept;
+  void spend(const Wrench& passed, double dt) noexcept;
   /// The limits of the wrench: those of the coupling, and those of the device if known.
   double most_force() const noexcept;
   double most_torque() const noexcept;
   /// Renders the wrench of a hand that is being measured, through the gate.
   void try_out(HandTrial& trial, Withheld reason, double dt) noexcept;
   void say_gate() noexcept;
+  /// The wrench that the gate let through, less what dissipates energy in excess.
+  Wrench damped(const Wrench& passed, double dt) noexcept;
   bool pushed() const noexcept;  ///< whether the last wrench was not zero
   void separate(const LocalContacts& contacts, const Clock& clock) noexcept;
 
@@ -136,11 +140,16 @@ class HandLoop {
   Passivity passivity_;
   Runaway runaway_;
   ForceGate gate_;
+  Wrench damping_;  ///< of the last tick, part of its wrench
   ClusterIds ids_;
   double lag_ = 0;                   ///< m, of the last answer (LocalAnswer)
   double way_ = 0, way_before_ = 0;  ///< m, in the object norm, of the last two ticks
-  bool leapt_ = false;               ///< the pose moved further than a hand moves in a tick
-  double yields_ = 0;                ///< m/s, speed of the hand in the direction of the last force
+  double unspent_ = 0;               ///< m: the part of it by which the force has not changed yet
+  double per_way_ = 0;               ///< N/m: the change of force that it permits
+  double fresh_for_ = 0;  ///< s until the device's next report is due; at most 0: each tick has one
+  Wrench passed_;         ///< by the gate, in the last tick
+  bool leapt_ = false;    ///< the pose moved further than a hand moves in a tick
+  double yields_ = 0;     ///< m/s, speed of the hand in the direction of the last force
   std::optional<DeviceTraits> device_;  ///< of the last tick
   Pose X_FM_;
   std::uint64_t jumps_ = 0;            ///< of the previous rows

@@ -49,8 +49,8 @@ void Passivity::restart(const Pose& X_FM) noexcept {
   energy_ = HandEnergy{};
 }
 
-void Passivity::observe(const Pose& X_FM, double dt) noexcept {
-  const SeparationMotion motion = separation_motion(mass_, X_FM_, X_FM);
+void Passivity::observe(const Pose& X_FM, double dt, bool leapt) noexcept {
+  const SeparationMotion motion = separation_motion(mass_, leapt ? X_FM : X_FM_, X_FM);
   X_FM_ = X_FM;
   energy_.damping = 0;
   step_ = motion.t;

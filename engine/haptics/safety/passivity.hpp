@@ -52,9 +52,11 @@ class Passivity {
   void set_period(double period) noexcept { period_ = period; }  ///< s, from the next device on
   void restart(const Pose& X_FM) noexcept;
   /// The pose of this tick, which includes the effect of the last wrench. dt in s since the last
-  /// pose.
-  void observe(const Pose& X_FM, double dt) noexcept;
-  /// The wanted wrench, damped if the controller is on. Call rendered() afterwards.
+  /// pose. A pose that leapt (no hand moves that fast) is no motion, and no work: else a wrong one
+  /// would pay for energy that a contact gives.
+  void observe(const Pose& X_FM, double dt, bool leapt = false) noexcept;
+  /// The wrench that would go to the hand, damped if the controller is on. Call rendered()
+  /// afterwards.
   Wrench control(const Wrench& wanted) noexcept;
   /// The wrench that went to the hand in this tick.
   void rendered(const Wrench& wrench) noexcept;

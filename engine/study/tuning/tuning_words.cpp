@@ -182,9 +182,19 @@ std::string let_go_text(const TuningResults& results, const AxisGains& gains) {
          (results.always_held ? "; a hand that always holds was asked for" : "");
 }
 
-/// If the wrench is no gradient: for a cycle of 1 mm and 0.1 rad, each from end to end.
+/// If the wrench is a gradient: only the damping can be what leaves no stiffness passive.
+std::string damping_not_passive(const AxisGains& gains) {
+  return gains.damping > 0
+             ? "no stiffness is passive at this damping, which is more than the device's own: what "
+               "is stable in these hands may shake in another"
+             : "no stiffness is passive: the device has no damping of its own";
+}
+
+/// Why no stiffness is passive, where none is. If the wrench is no gradient: for a cycle of 1 mm
+/// and 0.1 rad, each from end to end.
 std::string passivity_text(const TuningResults& results, const AxisGains& gains) {
-  if (!(gains.stiffness > 0) || gains.passive > 0 || !(gains.cycle_lever > 0)) return {};
+  if (!(gains.stiffness > 0) || gains.passive > 0) return {};
+  if (!(gains.cycle_lever > 0)) return damping_not_passive(gains);
   const double energy = gains.stiffness * gains.cycle_lever * 0.05 * 2e-3;
   std::string out = "no stiffness is passive: ";
   out += results.device.at("max_torque") > 0
@@ -192,6 +202,7 @@ std::string passivity_text(const TuningResults& results, const AxisGains& gains)
              : "a force without its torque is no gradient of an energy";
   out += ". A slow cycle of 1 mm and 0.1 rad may give the hand up to " + short_text(1e3 * energy) +
          " mJ";
+  if (!(gains.passive_in_translation > 0)) return out + "; nor is any with the turn held";
   if (std::isfinite(gains.passive_in_translation))
     out += "; with the turn held it is passive up to " + short_text(gains.passive_in_translation) +
            stiffness_unit(gains.axis);
@@ -234,9 +245,24 @@ std::vector<std::string> lasting_swings(const TuningResults& results, const Axis
   return out;
 }
 
+/// Whether the ends of no value differ by more than a search at other values resolves.
+bool nothing_changes(const std::vector<AssumedInterval>& intervals) {
+  constexpr double resolved = 1.05;
+  double least = infinity, most = 0;
+  for (const AssumedInterval& each : intervals)
+    for (const AssumedEnd* end : {&each.low, &each.high}) {
+      least = std::min(least, end->gains.stiffness);
+      most = std::max(most, end->gains.stiffness);
+    }
+  return most <= resolved * least;
+}
+
 std::string limiting_assumption_text(const TuningResults& results, GainAxis axis) {
   const auto intervals = assumed_intervals(results, axis);
   if (intervals.empty()) return {};
+  if (nothing_changes(intervals))
+    return "none of the device's values that are not sure changes the gains: " +
+           stiffness_text(intervals.front().low.gains) + " at both ends of each";
   const AssumedInterval& worst = intervals.front();
   const auto key = std::ranges::find(profile_keys(), worst.key, &ProfileKey::key);
   const std::string unit = key == profile_keys().end() ? "" : std::string(" ") + key->unit;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "tests/support/allocation_counter.hpp"
@@ -266,6 +267,29 @@ TEST(DeviceMotion, a_late_tick_does_not_fling_the_probe) {
   const Vec3 after = motion.move(pushed(along(0, 1)), 0.19).X_FM.p;
   EXPECT_GT((after - before).norm(), 0.005);
   EXPECT_LT((after - before).norm(), 0.011);
+}
+
+// The servo samples more often than a device reports.
+TEST(DeviceMotion, it_says_how_long_a_report_took) {
+  DeviceMotion motion(in_scene(), com, start);
+  using namespace std::chrono_literals;
+  DeviceSample report = handle_at({0, 0, 0});
+  const auto moved = [&] { return motion.move(report, 2.5e-4).since; };
+  const auto next = [&](DeviceClock::duration after) {
+    ++report.count;
+    report.time += after;
+  };
+  motion.move(report, 0);
+  next(1ms);
+  EXPECT_DOUBLE_EQ(moved(), 1e-3);
+  EXPECT_EQ(moved(), 0) << "the same report";
+  next(4ms);
+  EXPECT_DOUBLE_EQ(moved(), 4e-3);
+  next(10s);
+  ++report.session;
+  EXPECT_EQ(moved(), 0) << "a gap is no motion";
+  next(1ms);
+  EXPECT_DOUBLE_EQ(moved(), 1e-3);
 }
 
 TEST(DeviceMotion, it_neither_allocates_nor_frees) {

@@ -250,9 +250,21 @@ TEST(DeviceProfile, an_unknown_id_names_the_nearest) {
   EXPECT_EQ(complaint_about_id("omega7", {&bundled, 1}),
             "no device profile \"omega7\"; the nearest known one is \"omega.7\"");
   EXPECT_THAT(complaint_about_id("../devices/touch", {&bundled, 1}),
-              HasSubstr("no device profile"));
+              HasSubstr("a profile's file ends in \".json\""));
   EXPECT_THAT(complaint_about_id("touch", {}), HasSubstr("none was found at all"));
   EXPECT_THAT(complaint_about_id("missing.json", {&bundled, 1}), StartsWith("missing.json: "));
+}
+
+TEST(DeviceProfile, a_word_that_names_none_is_told_from_a_file_that_cannot_be_used) {
+  for (const char* word : {"omega7", "", "Touch"})
+    EXPECT_THROW(find_device_profile(word, {&bundled, 1}), UnknownProfile) << word;
+  for (const char* path : {"missing.json", "../devices/touch", "/"}) try {
+      find_device_profile(path, {&bundled, 1});
+      ADD_FAILURE() << path;
+    } catch (const UnknownProfile&) {
+      ADD_FAILURE() << path;
+    } catch (const InputError&) {
+    }
 }
 
 TEST(DeviceProfile, the_schema_says_what_the_reader_does) {

@@ -31,8 +31,10 @@ class HandLoopBench {
   const HandTick& tick(const HandSample& sample, bool geometry = true,
                        Withheld why = Withheld::nothing) {
     const HandLoop::Clock clock{.tick = ++ticks_, .now = double(ticks_) * dt, .dt = dt};
-    const HandTick& out = loop.tick(sample, feed.contacts(), clock, why);
-    if (geometry) feed.refresh(loop.device(), clock.tick, clock.now, {});
+    const HandTick& out = loop.tick(sample, raised_contacts(), clock, why);
+    Pose seen = loop.device();
+    seen.p.z() -= raised;
+    if (geometry) feed.refresh(seen, clock.tick, clock.now, {});
     return out;
   }
   /// A tick's time in which nothing is computed.
@@ -49,8 +51,17 @@ class HandLoopBench {
   std::shared_ptr<const Body> fixed = body(box({0.3, 0.3, 0.1}));
   ContactFeed feed{{probe, fixed}, Method::pdg};
   HandLoop loop;
+  double raised = 0;  ///< m: the fixed body is so much higher; a change is a jump of the contact
 
  private:
+  LocalContacts raised_contacts() const {
+    LocalContacts contacts = feed.contacts();
+    for (int i = 0; i < contacts.size; ++i) contacts.rows[std::size_t(i)].on_fixed.z() += raised;
+    contacts.separation.device.p.z() += raised;
+    contacts.separation.separated.p.z() += raised;
+    return contacts;
+  }
+
   std::uint64_t ticks_ = 0;
 };
 

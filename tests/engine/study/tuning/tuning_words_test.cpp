@@ -162,5 +162,44 @@ TEST(TuningWords, name_the_limiting_assumption_at_both_ends) {
                              "2000 N/m at 5 N, 500 N/m at 20 N"));
 }
 
+// Where the driver's word decides, say, each value may be half or twice what it is assumed to be.
+TEST(TuningWords, name_no_limiting_assumption_where_none_limits) {
+  const auto words_with = [](double low, double high) {
+    TuningResults r = stable_up_to({1500});
+    for (const auto& [times, stable] : {std::pair{0.5, low}, {2.0, high}}) {
+      r.lines.push_back(line(0, GainAxis::object, {column(0, stable)}));
+      r.lines.back().assumed = "max_force";
+      r.lines.back().times = times;
+    }
+    return recommendation_in_words(r).back();
+  };
+  const std::string none = "none of the device's values that are not sure changes the gains: ";
+  EXPECT_EQ(words_with(1500, 1500), none + "1000 N/m at both ends of each");
+  EXPECT_EQ(words_with(1500, 1560), none + "1000 N/m at both ends of each");
+  EXPECT_THAT(words_with(1500, 1650), HasSubstr("the max force limits most"));
+  EXPECT_THAT(words_with(1500, 1350), HasSubstr("the max force limits most"));
+}
+
+// Reference: D ⪰ (T/2 + t_d) K + B holds for no K ⪰ 0 where B exceeds D, nor where D is 0.
+TEST(TuningWords, say_that_no_stiffness_is_passive_and_why) {
+  const auto words_at = [](double damping, double passive, double in_translation, double lever) {
+    TuningResults r = results();
+    r.mode = damping > 0 ? Coupling::Mode::damped : Coupling::Mode::object;
+    const GainAxis axis = damping > 0 ? GainAxis::damped : GainAxis::object;
+    r.lines = {line(0, axis, {column(damping, 1500)})};
+    r.lines[0].columns[0].theory_passive = passive;
+    r.lines[0].columns[0].theory_passive_in_translation = in_translation;
+    r.lines[0].columns[0].cycle_lever = lever;
+    return recommendation_in_words(r);
+  };
+  const auto says = [](const char* what) { return testing::Contains(HasSubstr(what)); };
+  EXPECT_THAT(words_at(2, 0, 0, 0), says("no stiffness is passive at this damping, which is more"));
+  EXPECT_THAT(words_at(0, 0, 0, 0), says("passive: the device has no damping of its own"));
+  EXPECT_THAT(words_at(2, 0, 0, 1e-3), says("mJ; nor is any with the turn held"));
+  EXPECT_THAT(words_at(0, 0, 120, 1e-3),
+              says("mJ; with the turn held it is passive up to 120 N/m"));
+  EXPECT_THAT(words_at(2, 400, 400, 0), testing::Not(says("passive")));
+}
+
 }  // namespace
 }  // namespace sonde

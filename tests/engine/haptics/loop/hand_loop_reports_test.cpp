@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Devices that report less often than the servo samples them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/engine/haptics/loop/hand_loop_bench.hpp"
+
+namespace sonde::test {
+namespace {
+
+using Bench = HandLoopBench;
+
+/// N: how far the force stays behind k times the depth while a hand moves in at `speed`, on a
+/// device that reports only every `every` ticks, and says so or not.
+double behind(double speed, int every, bool says) {
+  HandLoopSettings settings;
+  settings.safety.ramp_time = 0;
+  Bench bench(settings);
+  const DeviceTraits traits{.max_force = 12, .mass = 0.2};
+  for (int i = 0; i < 2000; ++i)  // the ramp of a start is over
+    bench.tick({.X_FM = at_depth(0.001 * std::min(1.0, i * dt)), .device = traits});
+  for (int i = 0; i < 100; ++i)
+    bench.tick({.X_FM = at_depth(0.001 - 1.1e-4 * i), .device = traits});
+  double most = 0, depth = -0.01;
+  for (int i = 0; depth < 0.01; ++i) {
+    if (i % every == 0) depth = -0.01 + speed * dt * i;
+    HandSample sample{.X_FM = at_depth(depth), .device = traits};
+    if (says && i % every == 0) sample.since = every * dt;
+    const double force = bench.tick(sample).wrench.force.z();
+    if (depth > 0.004) most = std::max(most, 500 * depth - force);
+  }
+  return most;
+}
+
+// Reference: a wall of 500 N/m. The force is behind by no more than a report's step is beyond a
+// tenth of the largest force, which is what a tick of a millisecond may add, and some old rows.
+TEST(HandLoopReports, a_device_that_reports_less_often_than_the_servo_runs_feels_the_wall) {
+  constexpr double tenth = 1.2, rows = 0.3;
+  for (const double speed : {0.1, 0.3, 0.5})
+    for (const int every : {1, 2, 10})
+      EXPECT_LT(behind(speed, every, true), std::max(0.0, 500 * speed * every * dt - tenth) + rows)
+          << speed << ' ' << every;
+  EXPECT_GT(behind(0.3, 10, false), 3) << "what takes 3 mm for a leap of one tick";
+}
+
+TEST(HandLoopReports, a_leap_stays_one_however_long_the_device_was_silent) {
+  HandLoopSettings settings;
+  settings.safety.ramp_time = 0;
+  for (const double since : {0.0, 0.001, 0.01, 0.5}) {
+    Bench bench(settings);
+    const DeviceTraits traits{.max_force = 12, .mass = 0.2};
+    for (int i = 0; i < 500; ++i) bench.tick({.X_FM = at_depth(0.001), .device = traits});
+    const HandTick& tick = bench.tick({.X_FM = at_depth(0.016), .device = traits, .since = since});
+    EXPECT_LT(tick.wrench.force.z(), 0.55) << since;
+  }
+}
+
+}  // namespace
+}  // namespace sonde::test
