@@ -115,12 +115,12 @@ TEST_F(Trade, joined_shards_are_the_unsplit_run_but_for_the_times) {
 
 TEST_F(Trade, the_search_is_measured_with_another_number) {
   expect_done(boxes + "--out plain");
-  expect_done(boxes + "--vary first_sketches=1 --vary most_sketches=1 --out varied");
-  EXPECT_THAT(files("varied").at("study.json"), HasSubstr("first_sketches=1"));
+  expect_done(boxes + "--vary most_first_sketches=1 --vary most_sketches=1 --out varied");
+  EXPECT_THAT(files("varied").at("study.json"), HasSubstr("most_first_sketches=1"));
   // The long searches, which give the reference, are the same.
   EXPECT_EQ(files("plain").at("poses.csv"), files("varied").at("poses.csv"));
-  expect_refused(boxes + "--vary first_sketches=2 --out varied", 3, "other inputs or settings");
-  expect_refused(boxes + "--vary first_sketch=2 --out other", 2, "first_sketches");
+  expect_refused(boxes + "--vary most_first_sketches=2 --out varied", 3, "other inputs or settings");
+  expect_refused(boxes + "--vary first_sketch=2 --out other", 2, "most_first_sketches");
 }
 
 TEST_F(Trade, refusals) {

@@ -30,12 +30,6 @@ void remember_recent(const QStringList& files) {
   QSettings().setValue(key, QStringList(all.mid(0, most)));
 }
 
-void forget_recent(const QStringList& files) {
-  QStringList all = entries();
-  all.removeAll(files.join(separator));
-  QSettings().setValue(key, all);
-}
-
 QString recent_name(const QStringList& files) {
   QStringList names;
   for (const QString& file : files) names << QFileInfo(file).fileName();

@@ -10,7 +10,6 @@ namespace sonde::ui {
 /// settings of the window.
 std::vector<QStringList> recent_files();
 void remember_recent(const QStringList& files);
-void forget_recent(const QStringList& files);
 /// "cup.sonde.json", "spoon.ply and cup.ply".
 QString recent_name(const QStringList& files);
 

@@ -26,7 +26,8 @@ bool Evidence::sketches_are_clear() const {
 
 bool Evidence::sketches_see() const {
   if (descents_.empty() || sketches_.ends().empty()) return false;
-  return optima_.best() < rules_.tuned.blind * sketches_.ends().front().depth + sketch_error();
+  return optima_.best() <
+         rules_.tuned.rough_error * sketches_.ends().front().depth + sketch_error();
 }
 
 bool Evidence::may_be_narrow() const {

@@ -98,9 +98,7 @@ void Search::bring_into_contact() {
   verified_.add(refined(options_.method, optima_.nearest(1)[0], 0));
 }
 
-void Search::first_sketches() {
-  sketches_.make_starts(tuned_.first_sketches, tuned_.most_first_sketches, tuned_.clear);
-}
+void Search::first_sketches() { sketches_.make_starts(tuned_.most_first_sketches, tuned_.clear); }
 
 void Search::first_start_on_sketches() {
   if (!has_sketches()) return;
@@ -130,8 +128,7 @@ void Search::first_starts() {
   if (has_sketches()) {
     first_sketches();
     from_ends(sketches_, options_.method,
-              rotates() && sketches_.is_clear(tuned_.clear) ? tuned_.ends_where_clear
-                                                            : tuned_.first_ends);
+              rotates() && sketches_.is_clear(tuned_.clear) ? tuned_.few_ends : tuned_.first_ends);
   }
   push_device_pose(options_.method);
   if (!evidence_.sketches_see()) near_starts(options_.method);
@@ -146,12 +143,10 @@ void Search::push_device_pose(Method method) {
 }
 
 void Search::near_starts(Method method) {
-  const int tries =
-      budget_.refining().microseconds > 0 ? tuned_.near_tries_timed : tuned_.near_tries;
   for (std::size_t lane = 0; lane < 2; ++lane)
     starts_.lane(lane).smallest_free_radius = tuned_.smallest_ball * probe_.mass.radius;
   round([&](std::size_t k, std::size_t lane) {
-    return starts_.descend_from_nearest_free(stream(2000 + k), tries, aim(method), lane);
+    return starts_.descend_from_nearest_free(stream(2000 + k), aim(method), lane);
   });
 }
 
@@ -159,11 +154,11 @@ void Search::pushed_starts() {
   round(
       [&](std::size_t k, std::size_t lane) {
         Random random = stream(2500 + k);
-        const double radius = random.uniform(tuned_.same_place, tuned_.farthest_push) *
+        const double radius = random.uniform(tuned_.same_place, tuned_.farthest_overlap) *
                               std::min(optima_.best(), probe_.mass.radius);
         return starts_.push_apart_within(radius, random, aim(options_.method), lane);
       },
-      rotates() ? tuned_.pushes : tuned_.pushes / 2);
+      rotates() ? per_round : per_round / 2);
 }
 
 void Search::from_ends(SketchSearch& sketches, Method method, std::size_t most) {
@@ -206,7 +201,7 @@ void Search::starts_outside(std::size_t most) {
 }
 
 void Search::first_translation() {
-  most_steps_ = tuned_.steps_of_first_translation;
+  most_steps_ = tuned_.descent_steps;
   push_device_pose(Method::pdt);
   if (!std::isfinite(translated_.depth)) starts_outside(1);
   most_steps_ = std::numeric_limits<int>::max();
@@ -231,7 +226,7 @@ void Search::first_translations() {
   if (!has_sketches()) return near_starts(Method::pdt);
   SketchSearch sketches(chart_, sketch_goal(Method::pdt), starts_.sketch_descents(), threads_,
                         tuned_);
-  sketches.make_starts(tuned_.first_sketches / 2, tuned_.first_sketches / 2, 0);
+  sketches.make_starts(1);
   other_sketches_ += sketches.made();
   from_ends(sketches, Method::pdt, evidence_.is_conclusive() ? 1 : 2);
 }
@@ -263,8 +258,8 @@ void Search::more_sketches() {
   if (!has_sketches() || optima_.empty()) return;
   for (int made = std::max(1, 2 * sketches_.made()); made <= tuned_.most_sketches && goes_on();
        made *= 2) {
-    sketches_.make_starts(made, made, 0);
-    from_ends(sketches_, options_.method, tuned_.most_ends);
+    sketches_.make_starts(made);
+    from_ends(sketches_, options_.method, sketches_.ends().size());
   }
 }
 
@@ -310,7 +305,7 @@ void Search::pushed_rounds() {
 }
 
 void Search::random_starts(int first) {
-  const std::vector<Vec6> ends = optima_.nearest(tuned_.ends_for_starts);
+  const std::vector<Vec6> ends = optima_.nearest(tuned_.first_ends);
   const std::size_t turn = static_cast<std::size_t>(first) / per_round;
   round([&](std::size_t k, std::size_t lane) {
     Random random = stream(static_cast<std::uint64_t>(first) + k);
@@ -319,7 +314,7 @@ void Search::random_starts(int first) {
 }
 
 Separation Search::finish() {
-  for (const Vec6& y : optima_.nearest(tuned_.refined)) {
+  for (const Vec6& y : optima_.nearest(tuned_.few_ends)) {
     if (y.norm() > (1 + tuned_.same / 2) * optima_.best() ||
         (budget_.is_over() && verified_.best()))
       break;
@@ -356,7 +351,7 @@ std::optional<double> Search::add_translation() {
       finished_ ? *finished_ : refined(Method::pdt, translated_.y, budget_.steps_left());
   if (!verified_.is_free(out)) return std::nullopt;
   const auto& best = verified_.best();
-  const bool competes = !best || out.depth < tuned_.translation_competes * best->depth;
+  const bool competes = !best || out.depth < (1 + tuned_.same) * best->depth;
   if (competes && !budget_.is_over())
     add_unless_cut(refined(Method::pdg, chart_.coordinates(out.separated), budget_.steps_left()));
   if (!best || out.depth < (1 - 1e-12) * best->depth) verified_.add(out);

@@ -47,6 +47,10 @@ class Search {
   /// The result of run(), including the poses added by know() since.
   Separation again() { return finish(); }
 
+  /// Whether the result of run() is probably the best: its evidence is conclusive, and it is not so
+  /// long that agreement of starts proves nothing.
+  bool is_settled() const { return evidence_.is_conclusive() && !evidence_.may_be_deep(); }
+
   int sketches_made() const { return other_sketches_ + sketches_.made(); }
 
  private:

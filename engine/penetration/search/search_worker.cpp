@@ -27,21 +27,16 @@ LocalOptimum SearchWorker::descend(const Chart& chart, const Vec6& y, Method met
                                    const Limits& limits) {
   const double beat = limits.beat;
   const auto rough = leaps(method).run(chart, y,
-                                       {.steps = std::min(tuned_.rough_steps, limits.steps),
-                                        .reach = tuned_.rough_reach,
-                                        .beat = tuned_.hopeless * beat},
+                                       {.steps = std::min(tuned_.descent_steps, limits.steps),
+                                        .reach = tuned_.reach,
+                                        .beat = tuned_.rough_error * beat},
                                        limits.before);
-  LocalOptimum out{rough.y, rough.y.norm(), rough.iterations};
-  const int left = limits.steps - out.iterations;
-  if (left <= 0 || (beat > 0 && out.depth > tuned_.worth_exact * beat)) return out;
-  const auto exact = leaps(method).run(chart, rough.y,
-                                       {.guide = Guide::few,
-                                        .tolerance = tuned_.same / 2,
-                                        .steps = std::min(tuned_.exact_steps, left),
-                                        .reach = tuned_.exact_reach,
-                                        .beat = (1 + tuned_.same) * beat},
-                                       limits.before);
-  return {exact.y, exact.y.norm(), out.iterations + exact.iterations};
+  const LocalOptimum roughly{rough.y, rough.y.norm(), rough.iterations};
+  const int left = limits.steps - roughly.iterations;
+  if (left <= 0 || (beat > 0 && roughly.depth > tuned_.rough_error * beat)) return roughly;
+  LocalOptimum out = descend_exactly(chart, rough.y, method, {left, beat, limits.before});
+  out.iterations += roughly.iterations;
+  return out;
 }
 
 LocalOptimum SearchWorker::descend_exactly(const Chart& chart, const Vec6& y, Method method,
@@ -50,8 +45,8 @@ LocalOptimum SearchWorker::descend_exactly(const Chart& chart, const Vec6& y, Me
       leaps(method).run(chart, y,
                         {.guide = Guide::few,
                          .tolerance = tuned_.same / 2,
-                         .steps = std::min(tuned_.rough_steps, limits.steps),
-                         .reach = tuned_.exact_reach_alone,
+                         .steps = std::min(tuned_.descent_steps, limits.steps),
+                         .reach = tuned_.reach,
                          .beat = std::isfinite(limits.beat) ? (1 + tuned_.same) * limits.beat : 0},
                         limits.before);
   return {exact.y, exact.y.norm(), exact.iterations};
@@ -67,11 +62,10 @@ Vec6 SearchWorker::sample(Random& random, double radius, Method method) const {
 }
 
 std::optional<Vec6> SearchWorker::free_sample(const Chart& chart, Random& random,
-                                              const Vec6& center, double radius, int tries,
-                                              Method method, const Deadline& before,
-                                              SketchDescent* sketches) {
-  const double deepest = sketches ? tuned_.plainly_deep * sketches->spacing() : 0;
-  for (int i = 0; i < tries && !before.passed(); ++i) {
+                                              const Vec6& center, double radius, Method method,
+                                              const Deadline& before, SketchDescent* sketches) {
+  const double deepest = sketches ? tuned_.sketch_error * sketches->spacing() : 0;
+  for (int i = 0; i < tuned_.tries_in_a_ball && !before.passed(); ++i) {
     Vec6 y = center + sample(random, radius, method);
     if (method == Method::pdt) y.head<3>().setZero();
     if (chart.v(y).norm() < descent_tuning.largest_start_v &&

@@ -40,7 +40,7 @@ class SearchWorker {
   /// A free pose among `tries` random poses of a ball about `center`, if there is one. Where the
   /// sketches overlap by more than SearchTuning::plainly_deep, the bodies are not tested.
   std::optional<Vec6> free_sample(const Chart& chart, Random& random, const Vec6& center,
-                                  double radius, int tries, Method method, const Deadline& before,
+                                  double radius, Method method, const Deadline& before,
                                   SketchDescent* sketches = nullptr);
 
   double smallest_free_radius;  ///< m: smaller balls had no free pose

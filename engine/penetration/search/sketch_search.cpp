@@ -25,8 +25,8 @@ SketchSearch::SketchSearch(const Chart& chart, const SketchGoal& goal,
                            const SearchTuning& tuning)
     : chart_(chart), goal_(goal), lanes_(lanes), threads_(threads), tuned_(tuning) {}
 
-void SketchSearch::make_starts(int fewest, int most, int agreeing) {
-  while (made_ < most && !(made_ >= fewest && is_clear(agreeing)))
+void SketchSearch::make_starts(int most, int agreeing) {
+  while (made_ < most && !is_clear(agreeing))
     if (made_ > 0 && goal_.deadline.passed())
       return;
     else
@@ -60,38 +60,34 @@ void SketchSearch::round() {
 /// best depth, and from balls about the best ends.
 std::optional<SketchEnd> SketchSearch::start(int number, SketchDescent& descent) const {
   Random random = stream(static_cast<std::uint64_t>(number));
-  const double smallest = tuned_.smallest_ball_of_sketches * chart_.mass().radius;
+  const double smallest = tuned_.smallest_ball * chart_.mass().radius;
   const auto not_independent = [](std::optional<SketchEnd> end) {
     if (end) end->starts = 0;
     return end;
   };
-  if (ends_.empty())
-    return not_independent(
-        start_about(Vec6::Zero(), smallest, tuned_.first_balls, random, descent));
+  if (ends_.empty()) return not_independent(start_about(Vec6::Zero(), smallest, random, descent));
   const int kind = number % int{sketches_a_round};
   if (kind < near_of_a_round)
-    return not_independent(
-        start_about(Vec6::Zero(), nearest_free_ / 2, tuned_.near_balls, random, descent));
+    return not_independent(start_about(Vec6::Zero(), nearest_free_ / 2, random, descent));
   if (kind < near_of_a_round + far_of_a_round)
     return start_about(
         Vec6::Zero(),
-        std::max(smallest, best() * random.uniform(tuned_.least_far_ball, tuned_.largest_far_ball)),
-        tuned_.other_balls, random, descent);
-  const auto which =
-      static_cast<std::size_t>(number) % std::min(tuned_.ends_for_sketches, ends_.size());
-  return not_independent(start_about(
-      ends_[which].y,
-      std::max(smallest, best() * random.uniform(tuned_.same_place, tuned_.largest_end_ball)),
-      tuned_.other_balls, random, descent));
+        std::max(smallest, best() * random.uniform(tuned_.least_ball, tuned_.farthest_ball)),
+        random, descent);
+  const auto which = static_cast<std::size_t>(number) % std::min(tuned_.few_ends, ends_.size());
+  return not_independent(
+      start_about(ends_[which].y,
+                  std::max(smallest, best() * random.uniform(tuned_.same_place, tuned_.end_ball)),
+                  random, descent));
 }
 
-std::optional<SketchEnd> SketchSearch::start_about(const Vec6& center, double ball,
-                                                   const Balls& balls, Random& random,
+std::optional<SketchEnd> SketchSearch::start_about(const Vec6& center, double ball, Random& random,
                                                    SketchDescent& descent) const {
   // The first start always yields an end, however late.
   const bool must = ends_.empty() && made_ == 0;
-  for (; ball < tuned_.largest_ball * chart_.mass().radius; ball *= balls.growth)
-    for (int tries = 0; tries < balls.tries && (must || !goal_.deadline.passed()); ++tries) {
+  for (; ball < tuned_.largest_ball * chart_.mass().radius; ball *= tuned_.ball_growth)
+    for (int tries = 0; tries < tuned_.tries_in_a_ball && (must || !goal_.deadline.passed());
+         ++tries) {
       const Vec6 y = center + sample(random, ball);
       if (chart_.v(y).norm() > descent_tuning.largest_start_v || !descent.is_free(chart_, y))
         continue;
@@ -102,12 +98,11 @@ std::optional<SketchEnd> SketchSearch::start_about(const Vec6& center, double ba
 
 /// Descends with few points, and if that is promising with more.
 std::optional<SketchEnd> SketchSearch::descend(const Vec6& y, SketchDescent& descent) const {
-  const auto rough = descent.run(
-      chart_, y,
-      {.method = goal_.method, .rough = true, .beat = tuned_.hopeless_few_points * best()});
-  if (rough.y.norm() > tuned_.worth_more_points * best()) return std::nullopt;
+  const auto rough =
+      descent.run(chart_, y, {.method = goal_.method, .rough = true, .beat = best()});
+  if (rough.y.norm() > tuned_.rough_error * best()) return std::nullopt;
   const auto end =
-      descent.run(chart_, rough.y, {.method = goal_.method, .beat = tuned_.hopeless * best()});
+      descent.run(chart_, rough.y, {.method = goal_.method, .beat = tuned_.rough_error * best()});
   if (!end.arrived) return std::nullopt;
   return SketchEnd{end.y, end.y.norm(), 1, y.norm()};
 }
@@ -125,8 +120,7 @@ Random SketchSearch::stream(std::uint64_t number) const {
 }
 
 void SketchSearch::add(const SketchEnd& end) {
-  nearest_free_ =
-      std::clamp(end.from, tuned_.smallest_ball_of_sketches * chart_.mass().radius, nearest_free_);
+  nearest_free_ = std::clamp(end.from, tuned_.smallest_ball * chart_.mass().radius, nearest_free_);
   for (SketchEnd& known : ends_)
     if ((known.y - end.y).norm() < tuned_.same_place * known.depth) {
       const int starts = known.starts + end.starts;

@@ -46,8 +46,8 @@ class SketchSearch {
   SketchSearch(const Chart& chart, const SketchGoal& goal, std::span<SketchDescent> lanes,
                ThreadPair& threads, const SearchTuning& tuning = search_tuning);
 
-  /// Makes more starts until `most` are made, or `fewest` and is_clear(agreeing).
-  void make_starts(int fewest, int most, int agreeing);
+  /// Makes more starts, a round at a time, until `most` are made or is_clear(agreeing).
+  void make_starts(int most, int agreeing = std::numeric_limits<int>::max());
 
   std::vector<SketchEnd>& ends() { return ends_; }  ///< sorted by depth, each optimum once
   /// `agreeing` starts about as far away as the best depth have ended at the least depth, to 2 %.
@@ -55,12 +55,11 @@ class SketchSearch {
   int made() const { return made_; }  ///< number of starts
 
  private:
-  using Balls = SearchTuning::Balls;
   double best() const;
   void round();
   std::optional<SketchEnd> start(int number, SketchDescent& descent) const;
-  std::optional<SketchEnd> start_about(const Vec6& center, double ball, const Balls& balls,
-                                       Random& random, SketchDescent& descent) const;
+  std::optional<SketchEnd> start_about(const Vec6& center, double ball, Random& random,
+                                       SketchDescent& descent) const;
   std::optional<SketchEnd> descend(const Vec6& y, SketchDescent& descent) const;
   Vec6 sample(Random& random, double ball) const;
   Random stream(std::uint64_t number) const;

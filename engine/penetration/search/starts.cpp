@@ -15,7 +15,11 @@ namespace sonde {
 namespace {
 
 /// The starts of a random round that are not near known ends.
-constexpr std::size_t far_starts = std::size(search_tuning.far_widths);
+constexpr std::size_t far_starts = 3;
+
+/// In estimated errors of the sketches: gaps to which they are moved apart, one after the other,
+/// until the bodies are free. If no pose is free, the bodies are pushed apart.
+constexpr double apart[] = {0, 0.5, 1, 2, 4};
 
 /// Number of spins that least_overlap() compares at most, 3.75 degrees apart. Two solids of like
 /// size need some 40 for steps of two cells; a large surface about a small solid would need any
@@ -57,18 +61,17 @@ PhaseTimes Starts::phases() const {
 }
 
 std::optional<Vec6> Starts::free_sample(Random& random, const Vec6& center, double radius,
-                                        int tries, Method method, std::size_t lane) {
-  return lanes_[lane].free_sample(chart_, random, center, radius, tries, method, before_,
+                                        Method method, std::size_t lane) {
+  return lanes_[lane].free_sample(chart_, random, center, radius, method, before_,
                                   sketch_descents_.empty() ? nullptr : &sketch_descents_[lane]);
 }
 
-LocalOptimum Starts::descend_from_nearest_free(Random random, int tries, const Aim& aim,
-                                               std::size_t lane) {
+LocalOptimum Starts::descend_from_nearest_free(Random random, const Aim& aim, std::size_t lane) {
   SearchWorker& in = lanes_[lane];
   for (double radius = in.smallest_free_radius; radius < tuned_.largest_ball * probe_.mass.radius;
-       radius *= tuned_.near_growth)
-    if (const auto y = free_sample(random, Vec6::Zero(), radius, tries, aim.method, lane)) {
-      in.smallest_free_radius = std::max(in.smallest_ball(), tuned_.near_again * y->norm());
+       radius *= tuned_.ball_growth)
+    if (const auto y = free_sample(random, Vec6::Zero(), radius, aim.method, lane)) {
+      in.smallest_free_radius = std::max(in.smallest_ball(), y->norm() / 2);
       return in.descend(chart_, *y, aim.method, limits(aim, y->norm()));
     }
   return {};
@@ -88,9 +91,10 @@ LocalOptimum Starts::descend_beyond_sketch_end(const SketchEnd& end, const Aim& 
 
 std::optional<Vec6> Starts::first_free_beyond(const Vec6& end, Method method,
                                               std::size_t lane) const {
-  for (const double part : tuned_.beyond)
-    if (const Vec6 y = part * end; chart_.v(y).norm() < descent_tuning.largest_start_v &&
-                                   lanes_[lane].leaps(method).is_free(chart_, y))
+  double beyond = tuned_.same;
+  for (int tries = 0; tries < 5; ++tries, beyond *= 3)
+    if (const Vec6 y = (1 + beyond) * end; chart_.v(y).norm() < descent_tuning.largest_start_v &&
+                                           lanes_[lane].leaps(method).is_free(chart_, y))
       return y;
   return std::nullopt;
 }
@@ -100,13 +104,13 @@ std::optional<Vec6> Starts::first_free_beyond(const Vec6& end, Method method,
 std::optional<Vec6> Starts::freed(const Vec6& end, Method method, std::size_t lane) {
   SketchDescent& sketches = sketch_descents_[lane];
   Vec6 y = end;
-  for (const double apart : tuned_.apart) {
-    if (apart > 0)
+  for (const double gap : apart) {
+    if (gap > 0)
       y = sketches
               .run(chart_, y,
                    {.method = method,
-                    .margin = apart * sketches.spacing(),
-                    .steps = tuned_.steps_apart})
+                    .margin = gap * tuned_.sketch_error * sketches.spacing(),
+                    .steps = tuned_.descent_steps})
               .y;
     if (lanes_[lane].leaps(method).is_free(chart_, y)) return y;
   }
@@ -119,7 +123,7 @@ std::optional<Vec6> Starts::freed(const Vec6& end, Method method, std::size_t la
 
 LocalOptimum Starts::push_apart_and_descend(const Vec6& y, const Aim& aim, std::size_t lane) {
   const auto free =
-      lanes_[lane].push(aim.method).from(chart_, y, tuned_.given_up_at * aim.beat, before_);
+      lanes_[lane].push(aim.method).from(chart_, y, tuned_.rough_error * aim.beat, before_);
   LocalOptimum out;
   if (free && !(aim.known && aim.known->is_known(*free, tuned_.same_place)))
     out = lanes_[lane].descend_exactly(chart_, *free, aim.method, limits(aim));
@@ -136,7 +140,7 @@ LocalOptimum Starts::push_least_overlap_apart(double radius, Random& random, con
                                               std::size_t lane) {
   Vec6 best = Vec6::Zero();
   double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < tuned_.overlaps_compared; ++i) {
+  for (int i = 0; i < tuned_.tries_in_a_ball; ++i) {
     const Vec6 y = lanes_[lane].sample(random, radius, Method::pdt);
     if (const double depth = sketch_descents_[lane].depth_of_points(chart_, y); depth < least)
       least = depth, best = y;
@@ -199,21 +203,20 @@ std::optional<Vec6> Starts::least_overlap(
   return best;
 }
 
-LocalOptimum Starts::descend_from_ball(double width, Random random, const Aim& aim,
-                                       std::size_t lane) {
+LocalOptimum Starts::descend_from_ball(Random random, const Aim& aim, std::size_t lane) {
+  const double width = random.uniform(tuned_.least_ball, tuned_.farthest_ball) * aim.beat;
   std::optional<Vec6> y;
   for (double grown = 1; !y && grown < tuned_.largest_ball && !before_.passed();
-       grown *= tuned_.far_growth)
-    y = free_sample(random, Vec6::Zero(), grown * width * aim.beat, tuned_.tries_in_a_ball,
-                    aim.method, lane);
+       grown *= tuned_.ball_growth)
+    y = free_sample(random, Vec6::Zero(), grown * width, aim.method, lane);
   return y ? lanes_[lane].descend(chart_, *y, aim.method, limits(aim)) : LocalOptimum{};
 }
 
 LocalOptimum Starts::descend_near_end(const Vec6& end, Random random, const Aim& aim,
                                       std::size_t lane) {
   const double part = random.uniform(0, 1),
-               radius = aim.beat * (tuned_.about_nearest + tuned_.about_wider * part * part);
-  const auto y = free_sample(random, end, radius, tuned_.tries_in_a_ball, aim.method, lane);
+               radius = aim.beat * std::lerp(tuned_.same_place, tuned_.end_ball, part * part);
+  const auto y = free_sample(random, end, radius, aim.method, lane);
   LocalOptimum out = y ? lanes_[lane].descend(chart_, *y, aim.method, limits(aim)) : LocalOptimum{};
   out.starts = 0;
   return out;
@@ -237,9 +240,7 @@ LocalOptimum Starts::descend_in_round(std::size_t turn, std::size_t k,
     const double radius = random.uniform(tuned_.same_place, tuned_.farthest_overlap) * aim.beat;
     return independent(push_apart_within(radius, random, aim, lane));
   }
-  // If this is the only ball of the round, rounds take turns with the widths.
-  const std::size_t width = may_fit ? (turn / 2 + k) % far_starts : k;
-  return descend_from_ball(tuned_.far_widths[width], random, aim, lane);
+  return descend_from_ball(random, aim, lane);
 }
 
 LocalOptimum Starts::descend_from_outside(std::size_t k, const Aim& aim, std::size_t lane) {

@@ -38,10 +38,9 @@ class Starts {
   void time_phases() noexcept;
   PhaseTimes phases() const;  ///< sum of both lanes; 0 unless recorded
 
-  /// Descends from the nearest free pose, found among random poses in growing balls, `tries` in
-  /// each. This finds short separating motions, even in a tangle that no start from outside enters.
-  LocalOptimum descend_from_nearest_free(Random random, int tries, const Aim& aim,
-                                         std::size_t lane);
+  /// Descends from the nearest free pose, found among random poses in growing balls.
+  /// This finds short separating motions, even in a tangle that no start from outside enters.
+  LocalOptimum descend_from_nearest_free(Random random, const Aim& aim, std::size_t lane);
   /// Descends from a pose at which the sketches are apart, or from a free pose near it.
   LocalOptimum descend_from_sketch_end(const SketchEnd& end, const Aim& aim, std::size_t lane);
   /// As descend_from_sketch_end(), but from the first free pose on the straight line beyond that
@@ -64,9 +63,8 @@ class Starts {
   /// of a hole is not the centre of mass of the body round it. Within `farthest`, m; no value if
   /// such poses are rare.
   std::optional<Vec6> fitted(Random& random, double farthest, std::size_t lane);
-  /// Descends from a random free pose in a ball of `width` times the best depth, or in a larger
-  /// one.
-  LocalOptimum descend_from_ball(double width, Random random, const Aim& aim, std::size_t lane);
+  /// Descends from a random free pose in a ball of about the best depth, or in a larger one.
+  LocalOptimum descend_from_ball(Random random, const Aim& aim, std::size_t lane);
   /// Descends from a random free pose near an end: if there are many ends, the better ones lie
   /// together.
   LocalOptimum descend_near_end(const Vec6& end, Random random, const Aim& aim, std::size_t lane);
@@ -94,8 +92,8 @@ class Starts {
                                     std::size_t lane);
   std::optional<Vec6> first_free_beyond(const Vec6& end, Method method, std::size_t lane) const;
   std::optional<Vec6> freed(const Vec6& end, Method method, std::size_t lane);
-  std::optional<Vec6> free_sample(Random& random, const Vec6& center, double radius, int tries,
-                                  Method method, std::size_t lane);
+  std::optional<Vec6> free_sample(Random& random, const Vec6& center, double radius, Method method,
+                                  std::size_t lane);
 
   const Body& probe_;
   const Body& fixed_;

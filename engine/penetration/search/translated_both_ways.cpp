@@ -25,10 +25,11 @@ Translated translated_both_ways(const Pair& pair, const Pose& device, const Stat
   const Pair exchanged = pair.exchanged();
   Search there(pair, device, options, tuning, {}, progress);
   Search back(exchanged, inverse(device), options, tuning, {}, progress);
+  const auto sketches = [&] { return there.sketches_made() + back.sketches_made(); };
   Separation found, other;
   if (is_in_order(pair, device)) {
     found = there.run();
-    if (found.status != Status::penetrating) return {found, there.sketches_made()};
+    if (found.status != Status::penetrating || there.is_settled()) return {found, sketches()};
     back.know(inverse(found.separated));
     other = back.run();
     if (other.status == Status::penetrating && other.depth < (1 - 1e-9) * found.depth) {
@@ -38,13 +39,14 @@ Translated translated_both_ways(const Pair& pair, const Pose& device, const Stat
   } else {
     other = back.run();
     if (other.status == Status::penetrating) there.know(inverse(other.separated));
-    found = there.run();
-    if (found.status != Status::penetrating) return {found, there.sketches_made()};
+    const bool enough = other.status == Status::penetrating && back.is_settled();
+    found = enough ? there.again() : there.run();
+    if (found.status != Status::penetrating) return {found, sketches()};
   }
   found.iterations += other.iterations;
   found.limited += other.limited;
   found.phases += other.phases;
-  return {found, there.sketches_made() + back.sketches_made()};
+  return {found, sketches()};
 }
 
 }  // namespace sonde

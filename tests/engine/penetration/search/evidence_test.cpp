@@ -13,7 +13,7 @@ namespace {
 class EvidenceTest : public ::testing::Test {
  protected:
   static constexpr double depth = 0.15 + 0.05 - 0.03;
-  EvidenceTest() { sketches_.make_starts(8, 256, search_tuning.clear); }
+  EvidenceTest() { sketches_.make_starts(256, search_tuning.clear); }
   Evidence evidence(Evidence::Rules rules) { return {chart_, rules, optima_, sketches_, lanes_}; }
   void find(double at, int starts) {
     optima_.add({.y = Vec6::Unit(5) * at, .depth = at, .starts = starts});
@@ -58,8 +58,8 @@ TEST_F(EvidenceTest, sketches_settle_it_where_the_bodies_came_to_the_same_place)
 }
 
 TEST_F(EvidenceTest, sketches_that_miss_what_holds_the_bodies_are_none) {
-  find(2 * search_tuning.blind * depth, 1);
-  first_end().came_to = 2 * search_tuning.blind * depth;
+  find(2 * search_tuning.rough_error * depth, 1);
+  first_end().came_to = 2 * search_tuning.rough_error * depth;
   EXPECT_FALSE(evidence({}).sketches_see());
   EXPECT_FALSE(evidence({}).is_conclusive());
 }

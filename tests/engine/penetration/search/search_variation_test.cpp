@@ -14,20 +14,26 @@ namespace {
 
 TEST(SearchVariation, a_number_of_each_kind_is_set_by_its_name) {
   SearchTuning tuning;
-  vary(tuning, "blind=1.5");
+  vary(tuning, "rough_error=1.5");
   vary(tuning, "most_sketches=64");
-  vary(tuning, "most_ends=4");
-  EXPECT_EQ(tuning.blind, 1.5);
+  vary(tuning, "few_ends=4");
+  EXPECT_EQ(tuning.rough_error, 1.5);
   EXPECT_EQ(tuning.most_sketches, 64);
-  EXPECT_EQ(tuning.most_ends, 4u);
+  EXPECT_EQ(tuning.few_ends, 4u);
   EXPECT_EQ(tuning.first_ends, search_tuning.first_ends) << "the others stay";
 }
 
 TEST(SearchVariation, every_name_can_be_set) {
   for (const std::string& name : names_of_search_tuning()) {
     SearchTuning tuning;
-    EXPECT_NO_THROW(vary(tuning, name + "=1")) << name;
+    EXPECT_NO_THROW(vary(tuning, name + "=2")) << name;
   }
+}
+
+TEST(SearchVariation, balls_that_do_not_grow_are_refused) {
+  SearchTuning tuning;
+  EXPECT_THROW(vary(tuning, "ball_growth=1"), std::invalid_argument);
+  EXPECT_THROW(vary(tuning, "ball_growth=0.5"), std::invalid_argument);
 }
 
 /// More starts than a round has room for.
@@ -66,10 +72,10 @@ TEST(SearchVariation, a_complaint_about_a_name_lists_every_name) {
 
 TEST(SearchVariation, what_is_no_number_of_the_search_is_refused) {
   SearchTuning tuning;
-  for (const char* wrong : {"", "blind", "blind=", "blind=x", "blind=-1", "blind=inf", "blind=nan",
-                            "most_sketches=1.5", "most_ends=-1", "nothing=1", "=1", "blind=1 "})
+  for (const char* wrong : {"", "reach", "reach=", "reach=x", "reach=-1", "reach=inf", "reach=nan",
+                            "most_sketches=1.5", "few_ends=-1", "nothing=1", "=1", "reach=1 "})
     EXPECT_THROW(vary(tuning, wrong), std::invalid_argument) << wrong;
-  EXPECT_EQ(tuning.blind, search_tuning.blind);
+  EXPECT_EQ(tuning.reach, search_tuning.reach);
 }
 
 }  // namespace

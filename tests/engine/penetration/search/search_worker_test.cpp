@@ -14,7 +14,8 @@ class LaneTest : public testing::Test {
   const std::shared_ptr<const Body> ring = test::body(test::torus(0.08, 0.03, 20, 10)),
                                     plate = test::body(test::box({1, 1, 0.2}));
   const Chart chart{ring->mass, Pose{Quat::Identity(), {0.01, 0.02, 0.12}}};
-  SearchWorker lane{*ring, *plate};
+  const SearchTuning tuning{.tries_in_a_ball = 200};  // one of them is free, surely enough
+  SearchWorker lane{*ring, *plate, tuning};
   Random random{3};
 };
 
@@ -22,7 +23,7 @@ class LaneTest : public testing::Test {
 TEST_F(LaneTest, descents_end_free_nearer_and_within_their_steps) {
   for (const Method method : {Method::pdg, Method::pdt})
     for (const int steps : {1, 5, 100}) {
-      const auto y = lane.free_sample(chart, random, Vec6::Zero(), 0.2, 200, method, {});
+      const auto y = lane.free_sample(chart, random, Vec6::Zero(), 0.2, method, {});
       ASSERT_TRUE(y);
       for (const LocalOptimum& end : {lane.descend(chart, *y, method, {steps, 0, {}}),
                                       lane.descend_exactly(chart, *y, method, {steps, 0, {}})}) {
@@ -36,7 +37,7 @@ TEST_F(LaneTest, descents_end_free_nearer_and_within_their_steps) {
 }
 
 TEST_F(LaneTest, more_steps_of_a_descent_go_on_where_fewer_stop) {
-  const auto y = lane.free_sample(chart, random, Vec6::Zero(), 0.2, 200, Method::pdg, {});
+  const auto y = lane.free_sample(chart, random, Vec6::Zero(), 0.2, Method::pdg, {});
   ASSERT_TRUE(y);
   double before = y->norm();
   for (int steps = 1; steps < 30; ++steps) {
@@ -53,7 +54,7 @@ TEST_F(LaneTest, sketches_pass_over_no_free_pose_and_let_no_other_through) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     Random with(seed), without(seed);
     const auto sample = [&](Random& from, SketchDescent* asked) {
-      return lane.free_sample(chart, from, Vec6::Zero(), 0.15, 200, Method::pdg, {}, asked);
+      return lane.free_sample(chart, from, Vec6::Zero(), 0.15, Method::pdg, {}, asked);
     };
     const auto y = sample(with, &descent), other = sample(without, nullptr);
     ASSERT_TRUE(y && other) << seed;

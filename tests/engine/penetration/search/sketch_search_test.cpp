@@ -19,7 +19,7 @@ std::vector<SketchEnd> search(const Body& a, const Body& b, const Pose& X, bool 
   ThreadPair threads(two_threads);
   const Chart chart(a.mass, X);
   SketchSearch search(chart, {.method = method}, lanes, threads);
-  search.make_starts(32, 96, 8);
+  search.make_starts(96, 8);
   return search.ends();
 }
 
@@ -48,10 +48,10 @@ TEST(SketchSearch, goes_on_where_it_stopped) {
     lanes.emplace_back(*sketches.probe, *sketches.fixed, knot->mass);
   ThreadPair threads(false);
   SketchSearch at_once(chart, {}, lanes, threads), in_parts(chart, {}, lanes, threads);
-  at_once.make_starts(64, 64, 0);
+  at_once.make_starts(64);
   double before = std::numeric_limits<double>::infinity();
   for (int made = 8; made <= 64; made += 8) {
-    in_parts.make_starts(made, made, 0);
+    in_parts.make_starts(made);
     EXPECT_EQ(in_parts.made(), made);
     ASSERT_FALSE(in_parts.ends().empty());
     EXPECT_LE(in_parts.ends().front().depth, before);

@@ -27,6 +27,14 @@ class StartsTest : public testing::Test {
     EXPECT_FALSE(overlap(*ring, *plate, Transform(chart.pose(place.y)), Doubt::exact));
     EXPECT_TRUE(method == Method::pdg || place.y.head<3>().isZero(0));
   }
+
+  /// Few poses about an end of a flat contact are free, so one start of several finds one.
+  LocalOptimum near_end(const LocalOptimum& end, Method method, std::size_t lane) {
+    LocalOptimum out;
+    for (std::uint64_t seed = 1; seed <= 8 && !std::isfinite(out.depth); ++seed)
+      out = starts.descend_near_end(end.y, Random(seed), aim(method, end.depth), lane);
+    return out;
+  }
 };
 
 constexpr double nothing_found = std::numeric_limits<double>::infinity();
@@ -41,10 +49,9 @@ TEST_F(StartsTest, ends_are_free_and_starts_at_contact_come_out_by_the_nearest_f
       check(pushed, method);
       EXPECT_LT(pushed.depth, 0.0102);
       EXPECT_EQ(pushed.starts, 0) << "it began at the device pose";
-      check(starts.descend_from_nearest_free(Random(1), 12, aim(method, nothing_found), lane),
-            method);
-      check(starts.descend_from_ball(3, Random(2), aim(method, 0.1), lane), method);
-      check(starts.descend_near_end(pushed.y, Random(3), aim(method, pushed.depth), lane), method);
+      check(starts.descend_from_nearest_free(Random(1), aim(method, nothing_found), lane), method);
+      check(starts.descend_from_ball(Random(2), aim(method, 0.3), lane), method);
+      check(near_end(pushed, method, lane), method);
       check(starts.descend_from_outside(lane, aim(Method::pdt, nothing_found), lane), Method::pdt);
     }
 }
