@@ -42,9 +42,11 @@ struct SearchTuning {
   /// tried, and a random pose at which the sketches overlap more deeply is rejected without a test
   /// of the bodies. If it is lower, what the sketches show wrongly is lost.
   double sketch_error = 0.3;
-  /// Factor on a depth: how wrong one by few points, by outlines or by sketches may be. A rough
-  /// descent that will end above so many times the best depth is given up, an overlap that is
-  /// pushed further than that too (PushApart), and an end above it is not descended from exactly.
+  /// Factor on a depth: how wrong one by few points, by outlines or by sketches may be. A descent
+  /// by outlines, or on sketches with all points, that will end above so many times the best depth
+  /// is given up (by few points already above the best depth itself), an overlap that is pushed
+  /// further than that too (PushApart), and an end above it is not descended from exactly. (What
+  /// will end above is what stands a tenth above it: `hopeless` of the descents.)
   /// If the bodies end deeper than so many times the sketches, these miss what holds the bodies (on
   /// depths.csv they end within 0.9 to 1.15 of it, but 1.7 to 5 times as deep between a solid and a
   /// thin surface); then they are no evidence, and the search takes longer.
@@ -104,7 +106,8 @@ struct SearchTuning {
   /// 175 ms.)
   int most_after_sketches = 128;
   /// The same for the overlaps of a search for PD_t. (Of 112 boxes, cups, bottles and tubes at
-  /// cavities, 21 are over 1 % too deep without any, and 6, 3 and 3 with 16, 32 and 64.)
+  /// cavities, 21 are over 1 % too deep without any, and 6, 3 and 3 with 16, 32 and 64, each the
+  /// least of 16 overlaps.)
   int most_translations_pushed = 16;
 
   // Descents of one start, by leaps: roughly by outlines, then by the true contacts

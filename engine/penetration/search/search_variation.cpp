@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <variant>
 
+#include "engine/text/number_text.hpp"
+
 namespace sonde {
 namespace {
 
@@ -14,6 +16,7 @@ using Number = std::variant<double*, int*, std::size_t*>;
 struct Named {
   const char* name;
   Number (*in)(SearchTuning&);
+  double least = 0;  ///< with less, the search divides by zero or never ends
 };
 constexpr Named all[] = {
     {"share_for_sketches", [](SearchTuning& t) -> Number { return &t.share_for_sketches; }},
@@ -25,9 +28,9 @@ constexpr Named all[] = {
     {"same_place", [](SearchTuning& t) -> Number { return &t.same_place; }},
     {"sketch_error", [](SearchTuning& t) -> Number { return &t.sketch_error; }},
     {"rough_error", [](SearchTuning& t) -> Number { return &t.rough_error; }},
-    {"smallest_ball", [](SearchTuning& t) -> Number { return &t.smallest_ball; }},
+    {"smallest_ball", [](SearchTuning& t) -> Number { return &t.smallest_ball; }, 1e-6},
     {"largest_ball", [](SearchTuning& t) -> Number { return &t.largest_ball; }},
-    {"ball_growth", [](SearchTuning& t) -> Number { return &t.ball_growth; }},
+    {"ball_growth", [](SearchTuning& t) -> Number { return &t.ball_growth; }, 1.01},
     {"tries_in_a_ball", [](SearchTuning& t) -> Number { return &t.tries_in_a_ball; }},
     {"least_ball", [](SearchTuning& t) -> Number { return &t.least_ball; }},
     {"farthest_ball", [](SearchTuning& t) -> Number { return &t.farthest_ball; }},
@@ -36,8 +39,8 @@ constexpr Named all[] = {
     {"clear", [](SearchTuning& t) -> Number { return &t.clear; }},
     {"most_first_sketches", [](SearchTuning& t) -> Number { return &t.most_first_sketches; }},
     {"most_sketches", [](SearchTuning& t) -> Number { return &t.most_sketches; }},
-    {"few_ends", [](SearchTuning& t) -> Number { return &t.few_ends; }},
-    {"first_ends", [](SearchTuning& t) -> Number { return &t.first_ends; }},
+    {"few_ends", [](SearchTuning& t) -> Number { return &t.few_ends; }, 1},
+    {"first_ends", [](SearchTuning& t) -> Number { return &t.first_ends; }, 1},
     {"narrow", [](SearchTuning& t) -> Number { return &t.narrow; }},
     {"narrow_for_pushes", [](SearchTuning& t) -> Number { return &t.narrow_for_pushes; }},
     {"most_after_sketches", [](SearchTuning& t) -> Number { return &t.most_after_sketches; }},
@@ -82,11 +85,15 @@ void vary(SearchTuning& tuning, const std::string& assignment) {
     throw std::invalid_argument("\"" + assignment +
                                 "\" is not NAME=VALUE of a number of the search; the names are " +
                                 list_of_search_tuning());
-  const std::string value = assignment.substr(equals + 1);
+  const std::string text = assignment.substr(equals + 1);
   std::visit(
-      [&](auto* number) { *number = parsed<std::remove_pointer_t<decltype(number)>>(value); },
+      [&](auto* number) {
+        const auto value = parsed<std::remove_pointer_t<decltype(number)>>(text);
+        if (!(static_cast<double>(value) >= at->least))
+          throw std::invalid_argument(name + " has to be " + number_text(at->least) + " or more");
+        *number = value;
+      },
       at->in(tuning));
-  if (!(tuning.ball_growth > 1)) throw std::invalid_argument("ball_growth has to be above 1");
 }
 
 }  // namespace sonde

@@ -37,8 +37,9 @@ class SearchWorker {
 
   /// A random displacement that does not depend on the orientation of the world frame.
   Vec6 sample(Random& random, double radius, Method method) const;
-  /// A free pose among `tries` random poses of a ball about `center`, if there is one. Where the
-  /// sketches overlap by more than SearchTuning::plainly_deep, the bodies are not tested.
+  /// A free pose among SearchTuning::tries_in_a_ball random poses of a ball about `center`, if
+  /// there is one. Where the sketches overlap by more than SearchTuning::sketch_error, the bodies
+  /// are not tested.
   std::optional<Vec6> free_sample(const Chart& chart, Random& random, const Vec6& center,
                                   double radius, Method method, const Deadline& before,
                                   SketchDescent* sketches = nullptr);

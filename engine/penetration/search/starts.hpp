@@ -70,8 +70,9 @@ class Starts {
   LocalOptimum descend_near_end(const Vec6& end, Random random, const Aim& aim, std::size_t lane);
   /// The k-th start of a round of random starts. Most start near the best ends, because where there
   /// are many, the better ones lie together. Of the others, in a search for PD_g with sketches, two
-  /// start from a fitted() overlap. The rest start from a random free pose of a ball somewhat
-  /// larger than the best depth so far, or if both bodies are solids, in every other round
+  /// start from a fitted() overlap. The rest start from a random free pose of a ball of 0.75
+  /// to 1.5 times the best depth so far, or a larger one, or if both bodies are solids, in every
+  /// other round
   /// (`turn`), from a random overlap.
   static constexpr std::size_t per_round = 8;
   LocalOptimum descend_in_round(std::size_t turn, std::size_t k, const std::vector<Vec6>& ends,

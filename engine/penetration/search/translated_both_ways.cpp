@@ -39,8 +39,8 @@ Translated translated_both_ways(const Pair& pair, const Pose& device, const Stat
   } else {
     other = back.run();
     if (other.status == Status::penetrating) there.know(inverse(other.separated));
-    const bool enough = other.status == Status::penetrating && back.is_settled();
-    found = enough ? there.again() : there.run();
+    if (other.status == Status::penetrating && back.is_settled()) found = there.again();
+    if (found.status != Status::penetrating) found = there.run();
     if (found.status != Status::penetrating) return {found, sketches()};
   }
   found.iterations += other.iterations;

@@ -30,10 +30,29 @@ TEST(SearchVariation, every_name_can_be_set) {
   }
 }
 
-TEST(SearchVariation, balls_that_do_not_grow_are_refused) {
+TEST(SearchVariation, what_would_never_end_or_divide_by_zero_is_refused) {
   SearchTuning tuning;
-  EXPECT_THROW(vary(tuning, "ball_growth=1"), std::invalid_argument);
-  EXPECT_THROW(vary(tuning, "ball_growth=0.5"), std::invalid_argument);
+  for (const char* wrong :
+       {"ball_growth=1", "ball_growth=1.0000001", "ball_growth=0.5", "smallest_ball=0",
+        "smallest_ball=1e-300", "few_ends=0", "first_ends=0"})
+    EXPECT_THROW(vary(tuning, wrong), std::invalid_argument) << wrong;
+  EXPECT_EQ(tuning.ball_growth, search_tuning.ball_growth) << "what is refused changes nothing";
+}
+
+TEST(SearchVariation, every_number_may_be_as_small_as_it_can_be_set) {
+  const test::ConformingScene scene = test::cylinder_in_hole();
+  const Pair pair(test::body(scene.probe({})), test::body(scene.fixed({})));
+  for (const std::string& name : names_of_search_tuning()) {
+    SearchTuning tuning;
+    for (const char* least : {"=0", "=1e-6", "=1", "=1.01"}) try {
+        vary(tuning, name + least);
+        break;
+      } catch (const std::invalid_argument&) {
+        continue;
+      }
+    const Separation found = separate_static(pair, scene.path[60], {}, tuning);
+    EXPECT_EQ(found.status, Status::penetrating) << name << ": " << found.reason;
+  }
 }
 
 /// More starts than a round has room for.

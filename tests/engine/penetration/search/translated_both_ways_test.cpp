@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <tuple>
 
+#include "engine/penetration/search/search.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
@@ -31,6 +33,30 @@ TEST(TranslatedBothWays, exchanged_bodies_have_the_same_depth_and_the_reverse_wa
       EXPECT_NEAR(one.depth, other.depth, 1e-3 * one.depth) << i;
     }
   EXPECT_GE(compared, 12);
+}
+
+// Reference: the one search by itself; the body with fewer triangles, or less volume, goes first.
+TEST(TranslatedBothWays, one_way_is_enough_where_it_settles_the_answer) {
+  const StaticOptions options{.method = Method::pdt, .want_lower_bound = false};
+  const auto plate = test::body(test::box({1, 1, 0.2})), ball = test::body(test::sphere(1, 24, 32));
+  const auto cube = test::body(test::box({0.1, 0.1, 0.1})),
+             bar = test::body(test::box({0.3, 0.05, 0.2}));
+  const std::tuple<Pair, Vec3> sunk[] = {{Pair(cube, plate), {0.01, 0.02, 0.13}},
+                                         {Pair(bar, plate), {-0.2, 0.1, 0.18}},
+                                         {Pair(cube, ball), {0.1, 0.3, 0.95}}};
+  for (const auto& [pair, at] : sunk) {
+    const Pose X{Quat::Identity(), at};
+    Search alone(pair, X, options, search_tuning, {});
+    const Separation found = alone.run();
+    ASSERT_TRUE(alone.is_settled());
+    const Translated both = translated_both_ways(pair, X, options, search_tuning, {});
+    const Translated back =
+        translated_both_ways(pair.exchanged(), inverse(X), options, search_tuning, {});
+    EXPECT_EQ(both.found.depth, found.depth);
+    EXPECT_NEAR(back.found.depth, found.depth, 1e-6 * found.depth);
+    EXPECT_EQ(both.sketches, alone.sketches_made());
+    EXPECT_EQ(back.sketches, alone.sketches_made());
+  }
 }
 
 // Reference: a cube on a plate's side goes out by its overlap.
