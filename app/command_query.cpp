@@ -83,6 +83,8 @@ void check(const QueryOptions& options) {
     throw UsageError(
         "--mode coherent follows the poses one after the other: leave out --shard, "
         "--resume and --seeds");
+  if (coherent && solver.bound.value_or(false))
+    throw UsageError("--mode coherent makes no lower bound: leave out --bound");
   if (options.resume && !options.output.to_file())
     throw UsageError("--resume goes on from the part beside a result: it needs --out");
   if (options.resume && options.phases.timed())

@@ -280,6 +280,9 @@ AccuracyOptions knob_of(const ReplayOptions& options, const Scene& scene) {
 }
 
 void run(const ReplayOptions& options) {
+  if (options.solver.bound.value_or(false))
+    throw UsageError(
+        "a replay makes no lower bound: leave out --bound (sonde query has it, of each pose)");
   if (options.as_recorded) return write_as_recorded(options);
   const Job job = job_for(options);
   const Scene& scene = job.scene;

@@ -93,6 +93,7 @@ Json json_of(const Repairs& r) {
           {"one_sided_parts", r.torn_parts},
           {"overlaps", r.overlaps},
           {"overlap_error", r.overlap_error},
+          {"overlap_unknown", r.overlap_unknown},
           {"widest_mouth", r.widest_mouth}};
 }
 

@@ -10,6 +10,7 @@
 #include "engine/base/threads.hpp"
 #include "engine/body/mass_rule.hpp"
 #include "engine/geometry/mass_integrals.hpp"
+#include "engine/mending/pinches.hpp"
 #include "engine/mending/region_mass.hpp"
 #include "engine/text/counted.hpp"
 
@@ -47,7 +48,8 @@ bool take_mass(Body& body, const MassProperties& by_area, const MassProperties& 
   body.mass.radius = radius_about(body.soup, body.mass.com);
   body.repairs.overlaps = region.overlaps;
   body.repairs.overlap_error = region.error;
-  body.solid = has_volume(body.mass, by_area) && region.error <= overlap_tuning.most_error;
+  body.repairs.overlap_unknown = region.unknown;
+  body.solid = has_volume(body.mass, by_area) && region.differ <= overlap_tuning.most_differ;
   if (!body.solid) body.mass = by_area;
   return body.solid;
 }
@@ -88,7 +90,7 @@ std::string lid_words(std::size_t lids) {
 bool may_need_mending(const Body& body, const Progress& progress) {
   const Topology& t = body.topology;
   return !t.closed || t.nonmanifold_edges > 0 || t.duplicate_triangles > 0 ||
-         find_components(body.soup, progress).count > 1;
+         find_components(body.soup, progress).count > 1 || has_pinches(body.soup);
 }
 
 std::size_t set_aside_degenerate(Soup& soup, const Progress& progress) {

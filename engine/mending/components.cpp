@@ -5,7 +5,9 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <numeric>
+#include <string>
 #include <utility>
 
 #include "engine/base/ordering.hpp"
@@ -112,40 +114,125 @@ std::vector<std::uint32_t> directly_around(std::uint32_t p, const Nesting& nesti
   return out;
 }
 
-/// Which of some parts, ascending, a cavity belongs to where parts clash and it lies within
-/// several: files have a part's cavities after it, or else before it.
-std::uint32_t nearest_in_file(std::uint32_t p, const std::vector<std::uint32_t>& parts) {
-  const auto after = std::ranges::upper_bound(parts, p);
-  return after == parts.begin() ? *after : *std::prev(after);
-}
+/// Whether a cavity fits one of the parts around it clearly better than the others: its middle is
+/// at most this share as far from that one's.
+constexpr double clearly_nearer = 0.5;
 
-/// For each piece, the piece that it belongs to: itself, or the piece whose cavity it is. A cavity
-/// lies inside its piece with all of its surface: parts that clash may cover a corner of it too.
-std::vector<std::uint32_t> owners(const std::vector<PolygonSoup>& pieces,
-                                  const Progress& progress) {
-  std::vector<std::uint32_t> owner(pieces.size());
-  std::iota(owner.begin(), owner.end(), 0u);
-  if (pieces.size() < 2) return owner;
-  const ClosedPieces closed = closed_pieces(pieces, part_of(progress, 0, 0.5));
-  const std::vector<PartFacts>& facts = closed.facts;
-  const auto is_one_sign = [&](double sign) {
-    return std::ranges::none_of(facts, [sign](const PartFacts& f) { return f.volume * sign < 0; });
-  };
-  if (is_one_sign(1) || is_one_sign(-1)) return owner;  // there is no cavity
-  const Nesting nesting(closed.all, facts, part_of(progress, 0.5, 1));
-  // From the largest on, so that what is around another is processed first.
-  std::vector<std::uint32_t> order(facts.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::ranges::stable_sort(order, std::greater(),
-                           [&](std::uint32_t p) { return std::abs(facts[p].volume); });
-  for (const std::uint32_t p : order) {
-    std::vector<std::uint32_t> around = directly_around(p, nesting, facts);
-    std::erase_if(around, [&](std::uint32_t q) {
-      return owner[closed.piece[q]] != closed.piece[q] || facts[q].volume * facts[p].volume >= 0;
-    });
-    if (!around.empty()) owner[closed.piece[p]] = closed.piece[nearest_in_file(p, around)];
+/// What belongs to what: for each piece itself, or the piece whose cavity or hole it is.
+struct Owners {
+  std::vector<std::uint32_t> of;                           ///< by piece
+  std::map<std::uint32_t, std::vector<std::string>> said;  ///< by piece, what is odd about it
+};
+
+class OwnerFinder {
+ public:
+  OwnerFinder(std::size_t pieces, const ClosedPieces& closed, const Progress& progress)
+      : closed_(closed), facts_(closed.facts), nesting_(closed.all, closed.facts, progress) {
+    out_.of.resize(pieces);
+    std::iota(out_.of.begin(), out_.of.end(), 0u);
+    bounds_.resize(facts_.size());
+    for (std::size_t i = 0; i < closed.all.part.size(); ++i)
+      for (const std::uint32_t v : closed.all.soup.triangles[i])
+        bounds_[closed.all.part[i]].extend(closed.all.soup.vertices[v]);
   }
-  return owner;
+
+  Owners run() {
+    // From the largest on, so that what is around another is processed first.
+    std::vector<std::uint32_t> order(facts_.size()), holes;
+    std::iota(order.begin(), order.end(), 0u);
+    std::ranges::stable_sort(order, std::greater(),
+                             [&](std::uint32_t p) { return std::abs(facts_[p].volume); });
+    for (const std::uint32_t p : order) {
+      std::vector<std::uint32_t> around = directly_around(p, nesting_, facts_);
+      std::erase_if(around, [&](std::uint32_t q) { return !may_own(q, p); });
+      if (!around.empty()) {
+        give(p, around);
+      } else if (is_hole_through_several(p)) {  // which then owns nothing that lies in it
+        holes.push_back(p);
+        out_.of[closed_.piece[p]] = closed_.piece[*nesting_.around(p).begin()];
+      }
+    }
+    for (const std::uint32_t p : holes) join_by_hole(p);
+    return std::move(out_);
+  }
+
+ private:
+  bool owns_itself(std::uint32_t p) const { return out_.of[closed_.piece[p]] == closed_.piece[p]; }
+  bool may_own(std::uint32_t q, std::uint32_t p) const {
+    return owns_itself(q) && facts_[q].volume * facts_[p].volume < 0;
+  }
+
+  bool is_hole_through_several(std::uint32_t p) const {
+    return nesting_.is_in_several(p) &&
+           std::ranges::all_of(nesting_.around(p), [&](std::uint32_t q) {
+             return facts_[q].volume * facts_[p].volume < 0;
+           });
+  }
+
+  void give(std::uint32_t p, const std::vector<std::uint32_t>& around) {
+    const std::uint32_t owner = closed_.piece[around.size() == 1 ? around[0] : likely(p, around)];
+    out_.of[closed_.piece[p]] = owner;
+    if (around.size() > 1)
+      out_.said[owner].push_back("a cavity that lies within " + std::to_string(around.size()) +
+                                 " parts that overlap was taken as this one's: the file does not "
+                                 "say whose it is");
+  }
+
+  /// Which of several parts that clash a cavity within all of them belongs to: the one about whose
+  /// middle it lies. Where that says nothing, the order of the file: cavities come after their
+  /// parts, unless one comes before all parts.
+  std::uint32_t likely(std::uint32_t p, const std::vector<std::uint32_t>& around) const {
+    std::vector<std::pair<double, std::uint32_t>> by_middle;
+    for (const std::uint32_t q : around)
+      by_middle.emplace_back((bounds_[p].center() - bounds_[q].center()).norm(), q);
+    ordering::sort(by_middle.begin(), by_middle.end());
+    if (by_middle[0].first < clearly_nearer * by_middle[1].first) return by_middle[0].second;
+    const auto after = std::ranges::upper_bound(around, p);
+    const bool cavities_first = facts_[0].volume * facts_[p].volume > 0;
+    if (after == around.begin() || (cavities_first && after != around.end())) return *after;
+    return *std::prev(after);
+  }
+
+  /// A hole that is one shell through several parts: without it none of them is what it is, and it
+  /// is a part of neither alone, so all are one component.
+  void join_by_hole(std::uint32_t p) {
+    std::vector<std::uint32_t> holed{closed_.piece[p]};
+    for (const std::uint32_t q : nesting_.around(p)) holed.push_back(out_.of[closed_.piece[q]]);
+    const std::uint32_t owner = *std::ranges::min_element(holed);
+    std::vector<std::string> said;
+    for (std::uint32_t& of : out_.of)
+      if (std::ranges::count(holed, of) > 0) of = owner;
+    for (const std::uint32_t piece : holed)
+      if (const auto found = out_.said.find(piece); found != out_.said.end() && piece != owner) {
+        std::ranges::move(found->second, std::back_inserter(said));
+        out_.said.erase(found);
+      }
+    std::ranges::move(said, std::back_inserter(out_.said[owner]));
+    out_.said[owner].push_back("a hole that is one shell goes through " +
+                               std::to_string(holed.size() - 1) +
+                               " parts, which are one component for that");
+  }
+
+  const ClosedPieces& closed_;
+  const std::vector<PartFacts>& facts_;
+  Nesting nesting_;
+  std::vector<Eigen::AlignedBox3d> bounds_;  // by part
+  Owners out_;
+};
+
+/// A cavity lies inside its piece with all of its surface: parts that clash may cover a corner of
+/// it too.
+Owners find_owners(const std::vector<PolygonSoup>& pieces, const Progress& progress) {
+  Owners none_owned{std::vector<std::uint32_t>(pieces.size()), {}};
+  std::iota(none_owned.of.begin(), none_owned.of.end(), 0u);
+  if (pieces.size() < 2) return none_owned;
+  const ClosedPieces closed = closed_pieces(pieces, part_of(progress, 0, 0.5));
+  const auto is_one_sign = [&](double sign) {
+    return std::ranges::none_of(closed.facts,
+                                [sign](const PartFacts& f) { return f.volume * sign < 0; });
+  };
+  if (is_one_sign(1) || is_one_sign(-1)) return none_owned;  // there is no cavity
+  return OwnerFinder(pieces.size(), closed, part_of(progress, 0.5, 1)).run();
 }
 
 /// A polygon's corners by their places, the lowest first.
@@ -229,15 +316,21 @@ void renumber(std::vector<std::uint32_t>& piece, const std::vector<std::uint32_t
 std::vector<PolygonSoup> components_of(const PolygonSoup& soup, const Progress& progress) {
   const std::vector<std::uint32_t> place = weld(soup.points, part_of(progress, 0, 0.15));
   std::vector<std::uint32_t> piece = pieces(soup, place, part_of(progress, 0.15, 0.3));
-  const std::vector<std::uint32_t> owner =
-      owners(taken_apart(soup, piece), part_of(progress, 0.3, 0.8));
+  const Owners owners = find_owners(taken_apart(soup, piece), part_of(progress, 0.3, 0.8));
   std::vector<std::uint32_t> owned(piece);
   for (std::uint32_t& p : owned)
-    if (p != none) p = owner[p];
-  renumber(piece, owner,
-           find_copies(soup, place, owned, owner.size(), part_of(progress, 0.8, 0.9)));
+    if (p != none) p = owners.of[p];
+  renumber(piece, owners.of,
+           find_copies(soup, place, owned, owners.of.size(), part_of(progress, 0.8, 0.9)));
   std::vector<PolygonSoup> out = taken_apart(soup, piece);
   if (!out.empty()) out.front().remarks = soup.remarks;
+  std::vector<bool> done(out.size(), false);
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    if (piece[i] == none || done[piece[i]]) continue;
+    done[piece[i]] = true;
+    if (const auto said = owners.said.find(owned[i]); said != owners.said.end())
+      std::ranges::copy(said->second, std::back_inserter(out[piece[i]].remarks));
+  }
   return out;
 }
 

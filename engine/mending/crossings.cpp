@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <utility>
 
 #include "engine/base/progress.hpp"
+#include "engine/geometry/union_find.hpp"
+#include "engine/mending/near_pairs.hpp"
 #include "engine/mending/point_windings.hpp"
 #include "engine/mending/sealed.hpp"
 
@@ -15,9 +18,6 @@ namespace sonde {
 namespace {
 
 using Box = Eigen::AlignedBox3d;
-/// With more, one box holds them all: each costs lines of its own.
-constexpr std::size_t most_boxes = 200;
-
 /// Share of a triangle by which an edge may pass beside it: where faces of both lie in one plane,
 /// or on the diagonal of a face, rounding decides.
 constexpr double beside = 1e-9;
@@ -34,10 +34,44 @@ std::optional<Vec3> piercing(const Vec3& x, const Vec3& y, const std::array<Vec3
   return at;
 }
 
-class Crossings {
+/// Where a part crosses itself: closed curves, each of pieces that two triangles have in common.
+/// Pieces meet where an edge goes through a triangle.
+class SelfCrossings {
  public:
-  Crossings(const Soup& soup, const std::vector<std::uint32_t>& part, std::size_t most_pairs)
-      : soup_(soup), part_(part), most_pairs_(most_pairs) {
+  /// An edge by its two vertices, ascending, and the triangle that it goes through.
+  using End = std::array<std::uint32_t, 3>;
+
+  void add(const std::vector<std::pair<End, Vec3>>& piece) {
+    const auto own = static_cast<std::uint32_t>(boxes_.size());
+    boxes_.emplace_back();
+    for (const auto& [end, at] : piece) {
+      boxes_[own].extend(at);
+      const auto [known, is_new] = by_end_.emplace(end, own);
+      if (!is_new) joined_.emplace_back(known->second, own);
+    }
+  }
+
+  std::vector<Box> boxes() const {
+    UnionFind sets(boxes_.size());
+    for (const auto& [a, b] : joined_) sets.join(a, b);
+    std::map<std::uint32_t, Box> by_set;
+    for (std::uint32_t i = 0; i < boxes_.size(); ++i)
+      by_set[static_cast<std::uint32_t>(sets.find(i))].extend(boxes_[i]);
+    std::vector<Box> out;
+    for (const auto& [set, box] : by_set) out.push_back(box);
+    return out;
+  }
+
+ private:
+  std::map<End, std::uint32_t> by_end_;  // the first piece that has it
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> joined_;
+  std::vector<Box> boxes_;  // by piece
+};
+
+class CrossingFinder {
+ public:
+  CrossingFinder(const Soup& soup, const std::vector<std::uint32_t>& part)
+      : soup_(soup), part_(part) {
     for (std::uint32_t i = 0; i < soup.triangles.size(); ++i) {
       const std::uint32_t p = part[i];
       if (p >= of_part_.size()) of_part_.resize(p + 1), bounds_.resize(p + 1);
@@ -48,13 +82,19 @@ class Crossings {
     }
   }
 
-  std::vector<Box> run(const Progress& progress) {
-    find_pairs(part_of(progress, 0, 0.7));
-    if (pairs_ > most_pairs_) return {};
+  Crossings run(std::size_t most_pairs, const Progress& progress) {
+    rank_parts();
+    const auto use = [&](std::uint32_t i, std::uint32_t j) {
+      part_[i] == part_[j] ? cross_itself(i, j) : cross(i, j);
+    };
+    if (!each_near_pair(box_, most_pairs, use, part_of(progress, 0, 0.7))) return {{}, false};
+    for (const auto& [ranks, met] : met_)
+      found_.push_back({order_[ranks.first], order_[ranks.second], met});
     add_corners(part_of(progress, 0.7, 1));
-    std::vector<Box> out;
-    for (const Crossing& c : found_) out.push_back(c.box);
-    return apart(std::move(out));
+    Crossings out;
+    for (const Crossing& c : found_) out.boxes.push_back(c.box);
+    for (const Box& box : loops_.boxes()) out.boxes.push_back(box);
+    return out;
   }
 
  private:
@@ -64,20 +104,12 @@ class Crossings {
     Box box;
   };
 
-  void find_pairs(const Progress& progress) {
-    std::vector<std::uint32_t> order;
+  void rank_parts() {
     for (std::uint32_t p = 0; p < of_part_.size(); ++p)
-      if (!of_part_[p].empty()) order.push_back(p);
-    std::ranges::stable_sort(order, {}, [&](std::uint32_t p) { return bounds_[p].min().x(); });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      report(progress, static_cast<double>(i) / static_cast<double>(order.size()));
-      for (std::size_t j = i + 1; j < order.size(); ++j) {
-        if (bounds_[order[j]].min().x() > bounds_[order[i]].max().x()) break;
-        if (++pairs_ > most_pairs_) return;
-        if (bounds_[order[i]].intersects(bounds_[order[j]])) cross(order[i], order[j]);
-        if (pairs_ > most_pairs_) return;
-      }
-    }
+      if (!of_part_[p].empty()) order_.push_back(p);
+    std::ranges::stable_sort(order_, {}, [&](std::uint32_t p) { return bounds_[p].min().x(); });
+    rank_.resize(of_part_.size());
+    for (std::uint32_t r = 0; r < order_.size(); ++r) rank_[order_[r]] = r;
   }
 
   /// The triangles of a part that are by a box.
@@ -88,19 +120,29 @@ class Crossings {
     return out;
   }
 
-  void cross(std::uint32_t p, std::uint32_t q) {
-    const Box common = bounds_[p].intersection(bounds_[q]);
-    const std::vector<std::uint32_t> of_p = triangles_by(p, common);
-    std::vector<std::uint32_t> of_q = triangles_by(q, common);
-    std::ranges::stable_sort(of_q, {}, [&](std::uint32_t j) { return box_[j].min().x(); });
+  void cross(std::uint32_t i, std::uint32_t j) {
     Box met;
-    for (const std::uint32_t i : of_p)
-      for (const std::uint32_t j : of_q) {
-        if (box_[j].min().x() > box_[i].max().x()) break;
-        if (++pairs_ > most_pairs_) return;
-        if (box_[i].intersects(box_[j])) add_piercings(met, i, j);
+    add_piercings(met, i, j);
+    if (met.isEmpty()) return;
+    const std::uint32_t p = rank_[part_[i]], q = rank_[part_[j]];
+    met_[{std::min(p, q), std::max(p, q)}].extend(met);
+  }
+
+  /// Two triangles of one part. Edges that end at the other triangle only touch it there.
+  void cross_itself(std::uint32_t i, std::uint32_t j) {
+    std::vector<std::pair<SelfCrossings::End, Vec3>> piece;
+    for (const auto& [of, through] : {std::pair{i, j}, std::pair{j, i}}) {
+      const Triangle &t = soup_.triangles[of], &other = soup_.triangles[through];
+      const std::array<Vec3, 3> face = corners(through);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t a = std::min(t[k], t[(k + 1) % 3]), b = std::max(t[k], t[(k + 1) % 3]);
+        if (std::ranges::count(other, a) + std::ranges::count(other, b) > 0) continue;
+        // From the same end for both triangles at the edge, which then meet in the same point.
+        if (const auto at = piercing(soup_.vertices[a], soup_.vertices[b], face))
+          piece.push_back({{a, b, through}, *at});
       }
-    if (!met.isEmpty()) found_.push_back({p, q, met});
+    }
+    if (!piece.empty()) loops_.add(piece);
   }
 
   std::array<Vec3, 3> corners(std::uint32_t triangle) const {
@@ -137,39 +179,22 @@ class Crossings {
         if (part == of[k].second) found_[of[k].first].box.extend(points[k].x);
   }
 
-  /// Boxes that overlap as one, until none do; all as one where they are very many.
-  static std::vector<Box> apart(std::vector<Box> boxes) {
-    std::vector<Box> out;
-    for (Box box : boxes) {
-      const auto overlaps = [&](const Box& other) {
-        return boxes.size() > most_boxes || other.intersects(box);
-      };
-      for (auto met = std::ranges::find_if(out, overlaps); met != out.end();
-           met = std::ranges::find_if(out, overlaps)) {
-        box.extend(*met);
-        out.erase(met);
-      }
-      out.push_back(box);
-    }
-    return out;
-  }
-
   const Soup& soup_;
   const std::vector<std::uint32_t>& part_;
-  std::size_t most_pairs_, pairs_ = 0;
-  std::vector<std::vector<std::uint32_t>> of_part_;  // triangles
-  std::vector<Box> box_;                             // by triangle
-  std::vector<Box> bounds_;                          // by part
+  std::vector<std::vector<std::uint32_t>> of_part_;             // triangles
+  std::vector<Box> box_;                                        // by triangle
+  std::vector<Box> bounds_;                                     // by part
+  std::vector<std::uint32_t> order_, rank_;                     // of parts, from low x on
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Box> met_;  // by ranks of two parts
   std::vector<Crossing> found_;
+  SelfCrossings loops_;
 };
 
 }  // namespace
 
-std::vector<Eigen::AlignedBox3d> crossings_of_parts(const Soup& soup,
-                                                    const std::vector<std::uint32_t>& part,
-                                                    const Progress& progress,
-                                                    std::size_t most_pairs) {
-  return Crossings(soup, part, most_pairs).run(progress);
+Crossings find_crossings(const Soup& soup, const std::vector<std::uint32_t>& part,
+                         const Progress& progress, std::size_t most_pairs) {
+  return CrossingFinder(soup, part).run(most_pairs, progress);
 }
 
 }  // namespace sonde

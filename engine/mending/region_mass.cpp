@@ -3,30 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <span>
 #include <utility>
 
 #include "engine/base/progress.hpp"
 #include "engine/geometry/mass_integrals.hpp"
-#include "engine/mending/crossings.hpp"
-#include "engine/mending/lines.hpp"
+#include "engine/mending/joints.hpp"
+#include "engine/mending/line_sums.hpp"
 
 namespace sonde {
 namespace {
-
-/// Calls `use` for the hits of a line at one place, which make one step of the winding number.
-template <class Use>
-void each_step(std::span<const LineHit> hits, double rounding, Use use) {
-  int winding = 0;
-  for (std::size_t i = 0, j = 0; i < hits.size(); i = j) {
-    int next = winding;
-    for (j = i; j < hits.size() && hits[j].along - hits[i].along <= rounding; ++j)
-      next -= hits[j].sign;
-    use(hits.subspan(i, j - i), winding, next);
-    winding = next;
-  }
-}
 
 double size_of(const Soup& soup) {
   Eigen::AlignedBox3d box;
@@ -56,7 +42,7 @@ class Regions {
     if (!(rounding_ > 0)) return out;
     if (!any_overlap(part_of(progress, 0, 0.2))) return of_crossings(part_of(progress, 0.2, 1));
     out.overlaps = true;
-    MassMoments found[2];
+    LineSums found[2];
     for (std::size_t k = 0; k < 2; ++k) {
       // The second raster is the finer one, and takes most of the time.
       found[k] = integrate(overlap_tuning.rasters[k],
@@ -75,85 +61,46 @@ class Regions {
       out.hidden = hidden_parts(part_of(progress, 0.9, 1));
       return out;
     }
-    return with(std::move(out), soup_, found);
+    Region whole = with(std::move(out), soup_, found);
+    // Few of the lines meet what is thin. A part alone has nothing twice but where it crosses
+    // itself.
+    if (roles_.size() > 1 || is_resolved(found)) return whole;
+    Region finer = of_crossings({});
+    const bool better = finer.overlaps && !finer.unknown && finer.error < whole.error;
+    return better || !whole.overlaps ? finer : whole;
   }
 
  private:
+  /// Whether what lines found is known to a small part of it.
+  static bool is_resolved(const LineSums (&found)[2]) {
+    return error_of(found[0], found[1]) < 0.05 * std::abs(found[1].sum.measure);
+  }
+
   /// Takes what lines found in addition to the sum over all triangles; empty where it is nothing.
-  static Region with(Region out, const Soup& soup, const MassMoments (&found)[2]) {
-    const double volume = std::abs(mass_by_volume(soup).measure + found[1].measure);
-    if (std::abs(found[1].measure) < overlap_tuning.least * volume) return {};
-    out.more = found[1];
-    out.error = std::abs(found[1].measure - found[0].measure) / volume;
+  static Region with(Region out, const Soup& soup, const LineSums (&found)[2]) {
+    const MassMoments& more = found[1].sum;
+    const double volume = std::abs(mass_by_volume(soup).measure + more.measure);
+    if (std::abs(more.measure) < overlap_tuning.least * volume) return {};
+    out.more = more;
+    out.error = error_of(found[0], found[1]) / volume;
+    out.differ = std::abs(more.measure - found[0].sum.measure) / volume;
     return out;
   }
 
-  /// Where the lines through all of it met no overlap: what parts that cross have in common,
-  /// however little, by lines of its own.
+  /// Where the lines through all of it met no overlap: what is there twice where parts cross each
+  /// other or themselves, however little.
   Region of_crossings(const Progress& progress) const {
-    if (roles_.size() < 2) return {};
-    const auto boxes = crossings_of_parts(soup_, part_, part_of(progress, 0, 0.5));
-    if (boxes.empty()) return {};
-    Region out{soup_, {}, true, 0, {}};
-    const std::vector<Eigen::AlignedBox3d> bounds = bounds_of_parts();
-    MassMoments found[2];
-    for (MassMoments& sum : found) sum.origin = soup_.vertices[soup_.triangles[0][0]];
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      report(progress, 0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(boxes.size()));
-      const Soup by_it = parts_by(boxes[i], bounds);
-      for (std::size_t k = 0; k < 2; ++k)
-        integrate(by_it, boxes[i], overlap_tuning.local_rasters[k], found[k]);
-    }
-    return with(std::move(out), soup_, found);
-  }
-
-  std::vector<Eigen::AlignedBox3d> bounds_of_parts() const {
-    std::vector<Eigen::AlignedBox3d> bounds(roles_.size());
-    for (std::size_t i = 0; i < part_.size(); ++i)
-      for (const std::uint32_t v : soup_.triangles[i]) bounds[part_[i]].extend(soup_.vertices[v]);
-    return bounds;
-  }
-
-  /// The parts whose bounds meet a box: the others are not around any point of it.
-  Soup parts_by(const Eigen::AlignedBox3d& box,
-                const std::vector<Eigen::AlignedBox3d>& bounds) const {
-    Soup out{soup_.vertices, {}};
-    for (std::size_t i = 0; i < part_.size(); ++i)
-      if (bounds[part_[i]].intersects(box)) out.triangles.push_back(soup_.triangles[i]);
-    return compacted(std::move(out));
-  }
-
-  /// Adds (winding number ≠ 0) − (winding number) within a box, by lines through it.
-  void integrate(const Soup& soup, const Eigen::AlignedBox3d& box, int count,
-                 MassMoments& sum) const {
-    for (int k = 0; k < 3; ++k) {
-      const Eigen::Matrix3d frame = line_frame(k);
-      Eigen::AlignedBox2d across;
-      for (int i = 0; i < 8; ++i)
-        across.extend(Eigen::Vector2d(
-            (frame * box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i))).head<2>()));
-      const double size = across.sizes().maxCoeff();
-      if (!(size > 0)) return;
-      const Lines lines(soup, frame, count, across.min(), size);
-      lines.each([&](std::size_t i, std::span<const LineHit> hits) {
-        each_missing(hits, [&](double from, double to, int missing) {
-          if (clip(lines, i, box, from, to)) add(sum, lines, frame, i, from, to, missing);
-        });
-        return true;
-      });
-    }
-  }
-
-  /// Of a line, what of it between two places lies in a box; false if nothing does.
-  static bool clip(const Lines& lines, std::size_t line, const Eigen::AlignedBox3d& box,
-                   double& from, double& to) {
-    const Vec3 at = lines.point(line, 0), way = lines.point(line, 1) - at;
-    for (Eigen::Index k = 0; k < 3; ++k) {  // no line is square to an axis
-      const double a = (box.min()[k] - at[k]) / way[k], b = (box.max()[k] - at[k]) / way[k];
-      from = std::max(from, std::min(a, b));
-      to = std::min(to, std::max(a, b));
-    }
-    return from < to;
+    Soup soup = soup_;
+    const double volume = mass_by_volume(soup).measure;
+    if (volume < 0)  // all of it is inside out, and winding number -1 is the inside
+      for (Triangle& t : soup.triangles) std::swap(t[1], t[2]);
+    const Joints joints = find_joints(soup, part_, std::abs(volume), rounding_, progress);
+    Region out;
+    out.soup = soup;
+    out.overlaps = true;
+    out = joints.any ? with(std::move(out), soup, joints.sums) : Region{};
+    out.unknown = !joints.complete;
+    return out;
   }
 
   /// Whether winding numbers other than 0 and 1 occur over more than rounding; for an inverted
@@ -220,38 +167,11 @@ class Regions {
     return hidden;
   }
 
-  /// Calls use(from, to, missing) where a line's winding number is neither 0 nor 1.
-  template <class Use>
-  void each_missing(std::span<const LineHit> hits, Use use) const {
-    int total = 0;
-    for (const LineHit& hit : hits) total += hit.sign;
-    if (total != 0) return;
-    int missing = 0;
-    double from = 0;
-    each_step(hits, rounding_, [&](std::span<const LineHit> at, int, int after) {
-      if (missing != 0) use(from, at[0].along, missing);
-      missing = (after != 0) - after;
-      from = at.back().along;
-    });
-  }
-
-  static void add(MassMoments& sum, const Lines& lines, const Eigen::Matrix3d& frame,
-                  std::size_t line, double from, double to, int missing) {
-    const Vec3 way = frame.row(2).transpose();
-    const double section = lines.pixel() * lines.pixel() / 3, length = to - from;
-    const Vec3 middle = lines.point(line, from + length / 2) - sum.origin;
-    const double m = missing * section * length;
-    sum.measure += m;
-    sum.first += m * middle;
-    sum.second += m * (middle * middle.transpose() + length * length / 12 * way * way.transpose());
-  }
-
-  MassMoments integrate(int count, const Progress& progress) {
-    MassMoments sum;
-    sum.origin = soup_.vertices[soup_.triangles[0][0]];
+  LineSums integrate(int count, const Progress& progress) {
+    LineSums sums;
+    sums.sum.origin = soup_.vertices[soup_.triangles[0][0]];
     for (int k = 0; k < 3; ++k) {
-      const Eigen::Matrix3d frame = line_frame(k);
-      const Lines lines(soup_, frame, count);
+      const Lines lines(soup_, line_frame(k), count);
       const auto use = [&](std::size_t i, std::span<const LineHit> hits) {
         int total = 0;
         for (const LineHit& hit : hits) total += hit.sign;
@@ -259,14 +179,14 @@ class Regions {
         each_step(hits, rounding_, [&](std::span<const LineHit> at, int before, int after) {
           note(at, before, after);
         });
-        each_missing(hits, [&](double from, double to, int missing) {
-          add(sum, lines, frame, i, from, to, missing);
+        each_missing(hits, rounding_, [&](double from, double to, int missing) {
+          sums.add(lines, k, i, from, to, missing);
         });
         return true;
       };
       lines.each(use, part_of(progress, k / 3.0, (k + 1) / 3.0));
     }
-    return sum;
+    return sums;
   }
 
   const Soup& soup_;

@@ -51,6 +51,10 @@ std::vector<std::string> sentences(const Repairs& r) {
                   (r.overlap_error > 0
                        ? ", to " + number_text(r.overlap_error, 2) + " of the volume"
                        : std::string()));
+  if (r.overlap_unknown)
+    out.emplace_back(
+        "parts cross each other or themselves in more places than are looked at: what overlaps "
+        "there counts more than once, and by how much the mass is off is not known");
   return out;
 }
 

@@ -29,6 +29,8 @@ struct Repairs {
   bool overlaps = false;        ///< parts overlap, or one crosses itself: counted once
   /// Relative error of the mass due to overlaps; 0 if it is exact.
   double overlap_error = 0;
+  /// Parts cross in more places than can be looked at: how exact the mass is, is not known.
+  bool overlap_unknown = false;
 
   /// Whether anything was repaired.
   bool any() const {

@@ -81,6 +81,7 @@ bool read_csv_rows(const std::filesystem::path& file, std::span<const std::strin
                    std::span<const std::string_view> second, std::size_t most_bytes,
                    const std::function<void(std::span<const double>)>& take) {
   const std::string text = read_text(file, most_bytes);
+  refuse_utf16(file, text);
   Lines lines(text);
   std::string_view line;
   const std::string header = header_of(first), other = header_of(second);

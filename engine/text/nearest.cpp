@@ -2,10 +2,22 @@
 #include "engine/text/nearest.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <string>
+#include <tuple>
 #include <vector>
 
 namespace sonde {
+namespace {
+
+/// With small letters for capital ones of ASCII.
+std::string small(std::string_view word) {
+  std::string out(word);
+  for (char& letter : out)
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  return out;
+}
+
+}  // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   // Three rows of the table of distances between prefixes of a and b: the current one and two
@@ -28,9 +40,12 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string_view nearest(std::string_view word, std::span<const std::string_view> known) {
   const std::string_view start = word.substr(0, 100);  // a malicious key may be as long as its file
-  // Of two equally near words, the longer: letters are omitted more often than added.
+  const std::string folded = small(start);
+  // Capitals are no other word: of "MM", "mm" is nearer than "cm". Of two equally near words, the
+  // longer: letters are omitted more often than added.
   const auto found = std::ranges::min_element(known, {}, [&](std::string_view candidate) {
-    return std::pair(edit_distance(start, candidate), ~candidate.size());
+    return std::tuple(edit_distance(folded, small(candidate)), edit_distance(start, candidate),
+                      ~candidate.size());
   });
   return found == known.end() ? std::string_view{} : *found;
 }

@@ -34,4 +34,11 @@ std::string read_text(const std::filesystem::path& file, std::size_t most) {
   return text;
 }
 
+void refuse_utf16(const std::filesystem::path& file, std::string_view text) {
+  const auto has_no_letter = [&](std::size_t i) { return i < text.size() && text[i] == 0; };
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
+      (has_no_letter(0) && has_no_letter(2)) || (has_no_letter(1) && has_no_letter(3)))
+    throw InputError::in(file.string(), "is UTF-16 text; save it as UTF-8");
+}
+
 }  // namespace sonde

@@ -274,6 +274,10 @@ TEST_F(QueryScale, flags_that_contradict_each_other_are_refused) {
     expect_refused(query + "--sweep " + flag, 2, "--sweep is a question of its own");
   for (const std::string flag : {"--shard 1/2", "--resume --out r", "--seeds 2"})
     expect_refused(query + "--mode coherent " + flag, 2, "--mode coherent follows");
+  for (const std::string flag : {"", "--json ", "--budget-steps 10 "})
+    expect_refused(query + "--mode coherent --bound " + flag, 2, "makes no lower bound");
+  for (const std::string flag : {"", "--mode coherent ", "--mode static "})
+    expect_refused("replay boxes.sonde.json --bound " + flag, 2, "makes no lower bound");
   expect_refused(query + "--resume", 2, "it needs --out");
   expect_refused(query + "--contacts many.csv", 2, "one of the inputs");
   expect_refused(query + "--contacts r --out r", 2, "name the same file");

@@ -254,6 +254,14 @@ Json summary_of(const InsertionParts& parts, const Json& about) {
   return out;
 }
 
+/// What the faces of the probe were moved by; empty if by nothing.
+std::string offset_words_for(const Json& about) {
+  const double by = about.value(Json::json_pointer("/inputs/probe/offset"), 0.0);
+  if (by == 0) return {};
+  return "The probe is taken " + number_text(to_mm * std::abs(by), 6) + " mm " +
+         (by < 0 ? "smaller (allowance)" : "larger (safety)") + ".\n";
+}
+
 std::string words_for(const Json& summary) {
   const auto mm = [](const Json& x) { return number_text(to_mm * x.get<double>(), 6) + " mm"; };
   std::string out = "# Insertion\n\n";
@@ -278,6 +286,7 @@ std::string words_for(const Json& summary) {
   if (summary.contains("map"))
     out += summary.at("map").at("goes_in").dump() + " of " + summary.at("map").at("all").dump() +
            " offsets and tilts go in (map.svg).\n";
+  out += offset_words_for(summary.at("about"));
   return out;
 }
 

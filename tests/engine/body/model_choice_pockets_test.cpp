@@ -89,6 +89,46 @@ TEST(ModelChoiceOfPockets, what_lies_across_the_mouth_is_said_to_stay_a_wall) {
   }
 }
 
+/// With the corner of a hole moved to the place of one of the body's: they are one vertex then, and
+/// connected, though no edge is of both.
+PolygonSoup tetrahedron_in_corner(double size) {
+  return {.points = {{1, 1, 1}, {1, 0.8 - size, 1}, {0.9 - size, 0.7, 1}, {0.9, 0.7, 0.7 - size}},
+          .polygons = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+}
+
+double signed_volume(const PolygonSoup& mesh) {
+  double six = 0;
+  for (const Polygon& p : mesh.polygons)
+    for (std::size_t k = 2; k < p.size(); ++k)
+      six += mesh.points[p[0]].dot(mesh.points[p[k - 1]].cross(mesh.points[p[k]]));
+  return six / 6;
+}
+
+// Reference: by hand: the one triangle of the hole on the body's upper face. A shell that shares a
+// corner or an edge with the body's shell is a shell of its own all the same.
+TEST(ModelChoiceOfPockets, the_wall_is_said_where_a_pocket_shares_a_corner_or_an_edge) {
+  const PolygonSoup block = test::box({2, 2, 2});
+  for (const double size : {0.05, 0.2, 0.5}) {
+    PolygonSoup hole = tetrahedron_in_corner(size);
+    if (signed_volume(hole) > 0) hole = test::turned_over(hole);
+    const PolygonSoup mesh = test::joined(block, hole);
+    EXPECT_EQ(lids(mesh), 1) << size;
+    EXPECT_EQ(lids(test::turned_over(mesh)), 1) << size;
+    EXPECT_NEAR(test::body(mesh)->mass.measure, 8 + signed_volume(hole), 1e-12);
+    // A corner within shares nothing that is a mouth.
+    EXPECT_EQ(lids(test::joined(block, test::turned_over(test::placed(test::box({size, size, size}),
+                                                                      {0.1, 0, 0})))),
+              0);
+  }
+  for (const double depth : {0.2, 0.5, 1.0}) {  // a slot along the whole of an edge of the block
+    const PolygonSoup slot =
+        test::placed(test::box({depth, 2, depth}), {1 - depth / 2, 0, 1 - depth / 2});
+    const PolygonSoup mesh = test::joined(block, test::turned_over(slot));
+    EXPECT_EQ(lids(mesh), 8) << depth;
+    EXPECT_NEAR(test::body(mesh)->mass.measure, 8 - 2 * depth * depth, 1e-8);
+  }
+}
+
 // With what fills the hole exactly, in any order: material all through.
 TEST(ModelChoiceOfPockets, one_that_another_body_fills_is_none) {
   for (const Holed& h : holed()) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <random>
+#include <string>
 
 #include "engine/body/body.hpp"
 #include "tests/support/defects.hpp"
@@ -129,6 +130,51 @@ TEST(Components, a_hole_whose_faces_lie_on_the_parts_stays_with_it) {
       ASSERT_EQ(found.size(), 2u);
       EXPECT_NEAR(found[0], 64 - hole.prod(), 1e-9);
       EXPECT_NEAR(found[1], 0.729 * hole.prod(), 1e-9);
+    }
+}
+
+// Reference: the volumes of cubes and boxes: of each part, less its own cavity. Both cavities lie
+// within both parts, in any order of the four shells.
+TEST(Components, cavities_of_two_hollow_parts_that_clash_are_not_swapped) {
+  for (const Vec3& by : {Vec3(0, 0, 0.5), Vec3(0.4, 0.3, 0), Vec3(0.2, -0.2, 0.3)}) {
+    const PolygonSoup shells[] = {cube(6), moved(test::box({6, 6.5, 6}), by), inside_out(cube(2)),
+                                  inside_out(moved(test::box({2, 3, 2}), by))};
+    std::vector<std::size_t> order{0, 1, 2, 3};
+    do {
+      const auto parts = components_of(
+          together({shells[order[0]], shells[order[1]], shells[order[2]], shells[order[3]]}));
+      auto found = volumes(parts);
+      ASSERT_EQ(found.size(), 2u);
+      std::ranges::sort(found);
+      EXPECT_NEAR(found[0], 216 - 8, 1e-9);
+      EXPECT_NEAR(found[1], 234 - 12, 1e-9);
+      for (const PolygonSoup& part : parts) EXPECT_EQ(part.remarks.size(), 1u) << "it is said";
+    } while (std::ranges::next_permutation(order).found);
+  }
+}
+
+// Reference: the volumes of boxes. A screw in the hole is by itself.
+TEST(Components, parts_that_a_hole_of_one_shell_goes_through_are_one_and_say_so) {
+  for (const int plates : {2, 3, 5})
+    for (const Vec3& hole : {Vec3(1, 1, 0), Vec3(0.3, 2, 0), Vec3(3.9, 0.1, 0)}) {
+      std::vector<PolygonSoup> all;
+      for (int i = 0; i < plates; ++i)
+        all.push_back(moved(test::box({4 + 0.25 * i, 4, 1}), {0, 0, i + 0.5}));
+      const Vec3 size(hole.x(), hole.y(), plates);
+      const Vec3 middle(0, 0, 0.5 * plates);
+      all.push_back(inside_out(moved(test::box(size), middle)));
+      all.push_back(moved(test::box(0.9 * size), middle));
+      all.push_back(moved(cube(1), {20, 0, 0}));
+      const auto parts = components_of(together(all));
+      const auto found = volumes(parts);
+      ASSERT_EQ(found.size(), 3u);
+      EXPECT_NEAR(found[0], 16 * plates + 0.5 * plates * (plates - 1) - size.prod(), 1e-7);
+      EXPECT_NEAR(found[1], 0.729 * size.prod(), 1e-9);
+      EXPECT_NEAR(found[2], 1, 1e-12);
+      ASSERT_EQ(parts[0].remarks.size(), 1u);
+      EXPECT_NE(parts[0].remarks[0].find("goes through " + std::to_string(plates) + " parts"),
+                std::string::npos);
+      EXPECT_TRUE(parts[1].remarks.empty());
     }
 }
 

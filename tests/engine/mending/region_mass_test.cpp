@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <random>
 
 #include "tests/engine/geometry/soup_of.hpp"
 #include "tests/support/defects.hpp"
@@ -126,8 +127,36 @@ TEST(RegionMass, thin_parts_that_cross_count_once) {
       EXPECT_NEAR(mass_of(region).measure, volume,
                   std::max(1e-3 * c.common, region.error * volume));
       EXPECT_GT(region.error, 0);
-      EXPECT_LT(region.error, c.common / volume);
+      EXPECT_LT(region.error, 2 * c.common / volume);
     }
+}
+
+// Reference: closed form: four bars that cross by twos at their ends, each of which stands out. The
+// error that is said is at least the true one, however it is turned.
+TEST(RegionMass, the_error_that_is_said_of_a_turned_frame_holds) {
+  std::mt19937_64 random(3);
+  for (const double t : {0.04, 0.02, 0.011})
+    for (const double high : {1.0, 0.6})
+      for (int i = 0; i < 12; ++i) {
+        const PolygonSoup bars[] = {test::placed(test::box({1, t, t}), {0, high / 3, 0}),
+                                    test::placed(test::box({1, t, t}), {0, -high / 3, 0.2 * t}),
+                                    test::placed(test::box({t, high, t}), {0.4, 0, 0.1 * t}),
+                                    test::placed(test::box({t, high, t}), {-0.4, 0, -0.3 * t})};
+        const Quat q = test::random_rotation(random);
+        PolygonSoup all;
+        std::vector<std::uint32_t> part;
+        for (std::uint32_t p = 0; p < 4; ++p) {
+          const PolygonSoup bar = test::moved(bars[p], [q](const Vec3& x) { return Vec3(q * x); });
+          all = p == 0 ? bar : test::joined(all, bar);
+          part.resize(test::soup_of(all).triangles.size(), p);
+        }
+        const Region region = find_region(test::soup_of(all), part);
+        const double volume =
+            2 * t * t * (1 + high) - t * t * t * (0.9 + 0.7 + 0.9 + 0.5);  // at the four joints
+        EXPECT_LE(std::abs(mass_of(region).measure - volume), region.error * volume)
+            << t << " " << high << " off by " << mass_of(region).measure / volume - 1;
+        EXPECT_LT(region.error, 0.02);
+      }
 }
 
 // Lobes of winding +1 and -1: a box whose upper half is mirrored. Reference: half of it each,

@@ -41,6 +41,12 @@ TEST(Repairs, each_is_said_once_with_its_count_and_unit) {
           "parts that overlap are counted once, to 2e-06 of the volume"));
 }
 
+TEST(Repairs, a_mass_of_unknown_error_is_said) {
+  Repairs r;
+  r.overlap_unknown = true;
+  EXPECT_THAT(sentences(r), testing::ElementsAre(testing::HasSubstr("is not known")));
+}
+
 TEST(Repairs, parts_that_stay_open_beside_closed_ones_are_said) {
   const auto said = [](std::size_t closed, std::size_t all) {
     Repairs r;

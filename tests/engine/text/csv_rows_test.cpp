@@ -46,6 +46,15 @@ TEST(CsvRows, a_byte_that_is_no_text_neither_cuts_the_reason_nor_reaches_the_ter
   EXPECT_THAT(complaint("a,b\n1,\x1b[2J\n"), HasSubstr("\"\\x1b[2J\""));
 }
 
+// What a spreadsheet saves as "Unicode text": two bytes a letter, with and without a mark.
+TEST(CsvRows, utf16_is_named_as_such) {
+  using namespace std::string_literals;
+  for (const std::string& text : {"\xFF\xFE"
+                                  "a\0,\0b\0\n\0"s,
+                                  "\xFE\xFF\0a\0,\0b\0\n"s, "a\0,\0b\0\n\0"s, "\0a\0,\0b\0\n"s})
+    EXPECT_THAT(complaint(text), HasSubstr("is UTF-16 text; save it as UTF-8"));
+}
+
 TEST(CsvRows, names_the_line_and_the_reason) {
   EXPECT_THAT(complaint("b,a\n"), StartsWith("1: the header is \"b,a\"; expected \"a,b\""));
   EXPECT_THAT(complaint("a,b\n1\n"), StartsWith("2: 1 columns; expected 2"));

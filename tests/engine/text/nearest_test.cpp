@@ -27,6 +27,12 @@ TEST(Nearest, finds_the_nearest) {
   EXPECT_EQ(nearest("fixt", known), "fixed");
   constexpr std::array<std::string_view, 3> gains{"k", "k_t", "k_r"};
   EXPECT_EQ(nearest("kt", gains), "k_t") << "as near as k";
+  constexpr std::array<std::string_view, 6> units{"m", "cm", "mm", "um", "in", "ft"};
+  EXPECT_EQ(nearest("MM", units), "mm") << "capitals are no other word";
+  EXPECT_EQ(nearest("Um", units), "um");
+  EXPECT_EQ(nearest("FT", units), "ft");
+  EXPECT_EQ(nearest("Inch", units), "in");
+  EXPECT_EQ(nearest("PROB", known), "probe");
   EXPECT_EQ(nearest("prob", {}), "");
   EXPECT_FALSE(nearest(std::string(1000000, 'x'), known).empty());
 }

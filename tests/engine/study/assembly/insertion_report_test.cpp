@@ -55,6 +55,21 @@ std::string text_of(const std::vector<StudyFile>& files, const std::string& name
   return "no " + name;
 }
 
+TEST(InsertionReport, the_words_have_the_allowance_that_the_numbers_have) {
+  InsertionRequest request = peg_over_slot();
+  request.map.reset();
+  const auto words = [&](const std::string& probe) {
+    request.about = R"({"wanted": 0.05, "inputs": {"probe": {)" + probe + "}}}";
+    return text_of(insertion_files("", compute_at_once(plan_insertion(request), 1, {})),
+                   "summary.md");
+  };
+  EXPECT_THAT(words(R"("offset": -5e-05)"),
+              HasSubstr("The probe is taken 0.05 mm smaller (allowance)"));
+  EXPECT_THAT(words(R"("offset": -1e-06)"), HasSubstr("0.001 mm smaller (allowance)"));
+  EXPECT_THAT(words(R"("offset": 0.002)"), HasSubstr("2 mm larger (safety)"));
+  EXPECT_THAT(words(""), Not(HasSubstr("is taken")));
+}
+
 // Reference: by hand. The peg hangs by its middle, 40 mm of it in at the end. Tilted by θ, its
 // lower corners are ±d/2 cos θ + 50 mm sin θ aside of the middle, and where it crosses the mouth at
 // the end its sides are d/2 / cos θ and 10 mm tan θ aside.
