@@ -6,6 +6,7 @@
 #include "app/profiles.hpp"
 #include "app/study_run.hpp"
 #include "engine/study/comparison/compare_report.hpp"
+#include "engine/text/printable.hpp"
 
 namespace sonde::app {
 namespace {
@@ -49,7 +50,7 @@ void run(const CompareOptions& options) {
   if (!options.device.empty()) device = device_named(options.device);
   CompareSetup setup{.render = {.pair = load_bodies(scene, options.study.quiet)}};
   setup.path = std::move(path);
-  setup.scene = scene.name;
+  setup.scene = utf8_text(scene.name);
   if (device) setup.device = simulated(*device);
   setup.sample_time = 1 / scene.servo.rate_hz;
   setup.inputs = inputs_text(scene, setup.render.pair, device ? &*device : nullptr);

@@ -157,7 +157,7 @@ Json json_of(const MeshReport& report) {
   const MassProperties& mass = body.mass;
   const Bounds bounds = bounds_of(body.soup);
   Json json;
-  json["file"] = report.file;
+  json["file"] = utf8_text(report.file);
   json["triangles"] = body.soup.triangles.size();
   json["surface_triangles"] = surface(body).triangles.size();
   json["vertices"] = body.soup.vertices.size();

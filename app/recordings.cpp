@@ -52,22 +52,22 @@ std::string text_of(const Recording& r) {
 
 Json json_of(const Recording& r) {
   const Scene& scene = r.header.scene;
-  Json json{{"file", r.file.string()},
-            {"name", scene.name},
+  Json json{{"file", utf8_text(r.file.string())},
+            {"name", utf8_text(scene.name)},
             {"started", r.header.started},
             {"duration", duration(r)},
             {"ticks", ticks_in(r)},
             {"rate", r.header.rate_hz},
             {"searches", r.ticks.searches().size()},
-            {"probe", scene.probe.mesh.string()},
-            {"fixed", scene.fixed.mesh.string()},
+            {"probe", utf8_text(scene.probe.mesh.string())},
+            {"fixed", utf8_text(scene.fixed.mesh.string())},
             {"bytes", r.bytes},
             {"readable_bytes", r.readable},
             {"whole", r.cut.empty()}};
   if (!r.cut.empty()) json["cut"] = r.cut;
   const std::string meshes = wrong_meshes(r);
   json["meshes_as_recorded"] = meshes.empty();
-  if (!meshes.empty()) json["meshes"] = meshes;
+  if (!meshes.empty()) json["meshes"] = utf8_text(meshes);
   return json;
 }
 

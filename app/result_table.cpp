@@ -96,11 +96,11 @@ std::string json_of(const ResultHead& head, std::span<const std::string> lines) 
   std::string text = "{\"format\": 1,\n\"units\": " + units.dump() + ",\n";
   if (head.probe_offset != 0)
     text += "\"probe_offset\": " + nlohmann::json(head.probe_offset).dump() + ",\n";
-  if (!head.remarks.empty())
-    text += "\"remarks\": " +
-            nlohmann::ordered_json(head.remarks)
-                .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-            ",\n";
+  if (!head.remarks.empty()) {
+    nlohmann::ordered_json remarks;
+    for (const std::string& remark : head.remarks) remarks.push_back(utf8_text(remark));
+    text += "\"remarks\": " + remarks.dump() + ",\n";
+  }
   text += "\"results\": [";
   const char* separator = "\n";
   for (const std::string& line : lines) {

@@ -152,6 +152,11 @@ TEST_F(Assembly, files_whose_names_are_no_utf8_are_taken) {
     folder.write("at.csv", "x,y,z\n0,0,0\n");
     const Outcome points = expect_done("points " + name + " --points at.csv --json");
     EXPECT_EQ(json::parse(points.out).at("results").at(0).at("inside"), true);
+    const json info = json::parse(expect_done("info " + name + " --json").out);
+    EXPECT_THAT(info.dump(), HasSubstr("\\\\x")) << "the byte itself is told";
+    const std::string scene = std::filesystem::path(name).stem().string() + ".sonde.json";
+    stand_over(scene, -0.01);
+    expect_done("compare " + scene + " --trajectory path.csv --quiet --out compared-" + name);
   }
 }
 
