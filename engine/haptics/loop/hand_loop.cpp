@@ -279,7 +279,7 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
   device_ = sample.device;
   set_change_rate(sample);
   passivity_.set_device(sample.device);
-  passivity_.observe(X_FM_, clock.dt, leapt_ && device_ && !sample.trial);
+  passivity_.observe(X_FM_, clock.dt, leapt_ && device_ && !sample.trial, sample.since);
   separate(contacts, clock);
   if (out_.separation.status == Status::separated) runaway_.release();
   out_.hand.held = sample.held;
@@ -358,7 +358,7 @@ const HandTick& HandLoop::rest(Withheld why) noexcept {
   coupler_.forget();
   gate_.pass(Wrench{}, why, 0, 0, 0);
   damping_ = Wrench{};
-  passivity_.rendered(Wrench{});
+  passivity_.rested();
   out_.wrench = Wrench{};
   out_.hand.withheld = why;
   out_.hand.share = 0;
