@@ -65,4 +65,12 @@ Wrench limit(const Wrench& wrench, double max_force, double max_torque) {
   return out;
 }
 
+Vec3 towards(const Vec3& wanted, const Vec3& last, double most, bool* limited) noexcept {
+  const Vec3 change = wanted - last;
+  const double size = change.norm();
+  if (size <= most) return wanted;
+  if (limited) *limited = true;
+  return last + change * (most / size);
+}
+
 }  // namespace sonde

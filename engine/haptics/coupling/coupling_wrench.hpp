@@ -23,4 +23,8 @@ Wrench classic_wrench(const SeparationMotion& now, const Vec3& t_rate, const Vec
 /// Scales force and torque separately down to the device's limits, and keeps their directions.
 Wrench limit(const Wrench& wrench, double max_force, double max_torque);
 
+/// Moves from `last` towards `wanted`, by at most `most`; `*limited` becomes true where that is
+/// less than all.
+Vec3 towards(const Vec3& wanted, const Vec3& last, double most, bool* limited = nullptr) noexcept;
+
 }  // namespace sonde

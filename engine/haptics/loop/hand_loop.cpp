@@ -32,15 +32,9 @@ double stiffness_of_lag(const Coupling& c, const MassProperties& mass) noexcept 
 
 constexpr double whole_force = 0.01;  // s: least time for the whole of the device's force
 
-/// Moves from `last` towards `wanted`, by at most `most`.
-Vec3 towards(const Vec3& wanted, const Vec3& last, double most) noexcept {
-  const Vec3 change = wanted - last;
-  const double size = change.norm();
-  return size > most ? Vec3(last + change * (most / size)) : wanted;
-}
-
 /// s: a device that reports less often than this is slow for a force. So a pose that is wrong by a
-/// centimetre is never taken for motion.
+/// centimetre is not taken for motion, at the default runaway_speed of 2 m/s and a ratio of 1, with
+/// ticks no longer than this.
 constexpr double longest_since = 0.005;
 
 constexpr double slow_enough = 0.03;  // m/s, a third of the speed at which a handle may be moved
@@ -75,10 +69,9 @@ void HandLoop::restart(const Pose& X_FM) noexcept {
   passivity_.restart(X_FM);
   runaway_.restart();
   gate_.restart();
-  damping_ = Wrench{};
+  forget_force();
   ids_.forget();
-  way_ = way_before_ = unspent_ = fresh_for_ = 0;
-  passed_ = Wrench{};
+  way_ = way_before_ = 0;
   leapt_ = false;
   device_.reset();
   X_FM_ = X_FM;
@@ -87,6 +80,12 @@ void HandLoop::restart(const Pose& X_FM) noexcept {
   resting_ = false;
   resumed_ = 0;
   out_ = HandTick{};
+}
+
+/// What the limits keep of the last force. The next one rises from zero.
+void HandLoop::forget_force() noexcept {
+  damping_ = passed_ = Wrench{};
+  unspent_ = fresh_for_ = 0;
 }
 
 Withheld HandLoop::fault(const HandSample& sample) const noexcept {
@@ -279,7 +278,7 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
   device_ = sample.device;
   set_change_rate(sample);
   passivity_.set_device(sample.device);
-  passivity_.observe(X_FM_, clock.dt, leapt_ && device_ && !sample.trial);
+  passivity_.observe(X_FM_, clock.dt, leapt_ && device_ && !sample.trial, sample.since);
   separate(contacts, clock);
   if (out_.separation.status == Status::separated) runaway_.release();
   out_.hand.held = sample.held;
@@ -300,6 +299,7 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
   const Wrench passed =
       gate_.pass(out_.hand.asked, reason, coupling.max_force, coupling.max_torque, clock.dt);
   spend(passed, clock.dt);
+  if (!acts) damping_ = Wrench{};
   out_.wrench = acts ? damped(passed, clock.dt) : passed;
   passivity_.rendered(out_.wrench);
   say_gate();
@@ -309,14 +309,19 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
 
 /// Energy in excess is damped behind the gate. While a force still rises to what is wanted, after a
 /// jump of the contact, what is taken from the wanted one would not be missed. The damping itself
-/// comes no faster than the device's force may change by the hand's own motion.
+/// comes no faster than the device's force may change by the hand's own motion, and by the share of
+/// the ramp: after a fault it rises from zero too.
 Wrench HandLoop::damped(const Wrench& passed, double dt) noexcept {
   const Wrench wanted = passivity_.control(passed);
   const double share = dt > 0 ? dt / whole_force : 0;
-  const Vec3 force = wanted.force - passed.force, torque = wanted.torque - passed.torque;
+  const Vec3 force = gate_.share() * (wanted.force - passed.force);
+  const Vec3 torque = gate_.share() * (wanted.torque - passed.torque);
   damping_.force = towards(force, damping_.force, share * most_force());
   damping_.torque = towards(torque, damping_.torque, share * most_torque());
-  if (passed.force.isZero(0) && passed.torque.isZero(0)) damping_ = Wrench{};
+  const bool none = passed.force.isZero(0) && passed.torque.isZero(0);
+  // No gate comes after this, and what is not a number would stay one in the ticks that follow.
+  const bool finite = damping_.force.allFinite() && damping_.torque.allFinite();
+  if (none || !finite) damping_ = Wrench{};
   return limit({passed.force + damping_.force, passed.torque + damping_.torque},
                coupler_.coupling().max_force, coupler_.coupling().max_torque);
 }
@@ -324,6 +329,7 @@ Wrench HandLoop::damped(const Wrench& passed, double dt) noexcept {
 /// The wrench of a trial is not counted in the energy, which is that of contacts.
 void HandLoop::try_out(HandTrial& trial, Withheld reason, double dt) noexcept {
   coupler_.forget();
+  forget_force();
   gate_.set_slew({});
   out_.hand.asked = trial.wrench;
   out_.wrench = gate_.pass(trial.wrench, reason, trial.max_force, trial.max_torque, dt);
@@ -357,8 +363,8 @@ const HandTick& HandLoop::rest(Withheld why) noexcept {
   rest_ = why;
   coupler_.forget();
   gate_.pass(Wrench{}, why, 0, 0, 0);
-  damping_ = Wrench{};
-  passivity_.rendered(Wrench{});
+  forget_force();
+  passivity_.rested();
   out_.wrench = Wrench{};
   out_.hand.withheld = why;
   out_.hand.share = 0;

@@ -122,6 +122,7 @@ class HandLoop {
   /// Renders the wrench of a hand that is being measured, through the gate.
   void try_out(HandTrial& trial, Withheld reason, double dt) noexcept;
   void say_gate() noexcept;
+  void forget_force() noexcept;
   /// The wrench that the gate let through, less what dissipates energy in excess.
   Wrench damped(const Wrench& passed, double dt) noexcept;
   bool pushed() const noexcept;  ///< whether the last wrench was not zero

@@ -12,15 +12,6 @@ namespace {
 /// s: a late tick must not let the whole ramp pass at once.
 constexpr double longest_step = 0.005;
 
-/// Moves from `last` towards `wanted`, by at most `most`.
-Vec3 towards(const Vec3& wanted, const Vec3& last, double most, bool& acted) {
-  const Vec3 change = wanted - last;
-  const double size = change.norm();
-  if (size <= most) return wanted;
-  acted = true;
-  return last + change * (most / size);
-}
-
 }  // namespace
 
 const char* words(Withheld why) {
@@ -100,8 +91,8 @@ Wrench ForceGate::pass(const Wrench& wanted, Withheld why, double max_force, dou
   const double torque =
       closer(settings_.torque_slew,
              close && slew_.torque > 0 ? slew_.torque + falling(out.torque, last_.torque) : 0);
-  if (force > 0) out.force = towards(out.force, last_.force, force * step, slewed_);
-  if (torque > 0) out.torque = towards(out.torque, last_.torque, torque * step, slewed_);
+  if (force > 0) out.force = towards(out.force, last_.force, force * step, &slewed_);
+  if (torque > 0) out.torque = towards(out.torque, last_.torque, torque * step, &slewed_);
   return last_ = limit(out, max_force, max_torque);
 }
 

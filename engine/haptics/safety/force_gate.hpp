@@ -48,7 +48,8 @@ struct SafetySettings {
 ///
 /// See also the other limits of the wrench. Before the gate, Coupler::wrench
 /// (engine/haptics/coupling/coupler.cpp) scales it down to the limits of the coupling. After it,
-/// Passivity::control may damp it, within the same limits, and the driver of a device with force
+/// Passivity::control may damp it, within the limits of the coupling and with no more than the
+/// ramp's share of that damping, and the driver of a device with force
 /// scales it down to what that device can give: `limited` in engine/devices/device_sample.cpp.
 class ForceGate {
  public:

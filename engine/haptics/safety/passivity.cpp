@@ -3,11 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/haptics/coupling/coupling_wrench.hpp"
 
 namespace sonde {
 namespace {
+
+/// s: for so long a motion is taken to go on without a report. A hand that turns round within it is
+/// pushed on by what should brake it.
+constexpr double longest_guess = 0.01;
 
 bool pushes(const Wrench& wrench) { return !wrench.force.isZero(0) || !wrench.torque.isZero(0); }
 
@@ -43,37 +48,81 @@ double Passivity::most_damping() const noexcept {
 
 void Passivity::restart(const Pose& X_FM) noexcept {
   X_FM_ = X_FM;
-  step_ = turn_ = Vec3::Zero();
+  forget_motion();
   dt_ = 0;
   wrenches_.fill(Wrench{});
   energy_ = HandEnergy{};
 }
 
-void Passivity::observe(const Pose& X_FM, double dt, bool leapt) noexcept {
+void Passivity::forget_motion() noexcept {
+  step_ = turn_ = Vec3::Zero();
+  since_ = acts_for_ = fresh_for_ = 0;
+  held_ = Held{};
+  controlled_ = false;
+}
+
+void Passivity::observe(const Pose& X_FM, double dt, bool leapt, double since) noexcept {
   const SeparationMotion motion = separation_motion(mass_, leapt ? X_FM : X_FM_, X_FM);
   X_FM_ = X_FM;
   energy_.damping = 0;
-  step_ = motion.t;
-  turn_ = motion.theta;
+  controlled_ = false;
   dt_ = dt > 0 ? dt : 0;
-  const Wrench& wrench = acting();
+  hold(acting());
+  const bool still = motion.t.isZero(0) && motion.theta.isZero(0);
+  if (still && !leapt && !(since > 0)) return wait();
+  report(motion.t, motion.theta, since);
+}
+
+void Passivity::hold(const Wrench& wrench) noexcept {
+  held_.impulse += dt_ * wrench.force;
+  held_.twist += dt_ * wrench.torque;
+  held_.time += dt_;
+  ++held_.ticks;
+}
+
+Wrench Passivity::mean_held() const noexcept {
+  if (held_.ticks < 2 || !(held_.time > 0)) return acting();
+  return {held_.impulse / held_.time, held_.twist / held_.time};
+}
+
+/// Until the next report is due, the hand is taken to move on as it did up to the last one.
+void Passivity::wait() noexcept {
+  if (fresh_for_ > dt_ / 2)
+    fresh_for_ -= dt_;
+  else
+    step_ = turn_ = Vec3::Zero();
+}
+
+void Passivity::report(const Vec3& step, const Vec3& turn, double since) noexcept {
+  // Without its time, what has moved has moved in this tick.
+  const Wrench wrench = since > 0 ? mean_held() : acting();
+  held_ = Held{};
+  since_ = since > dt_ ? since : dt_;
+  acts_for_ = std::min(since_, std::max(dt_, longest_guess));
+  fresh_for_ = acts_for_ - dt_;
+  step_ = step;
+  turn_ = turn;
   const double work = wrench.force.dot(step_) + wrench.torque.dot(turn_);
+  if (!std::isfinite(work) || !std::isfinite(step_.squaredNorm())) return forget_motion();
   energy_.given += work;
-  const bool pushed = pushes(wrench);
-  const double lost = pushed && dt_ > 0 ? device_.damping * step_.squaredNorm() / dt_ : 0;
+  const bool known = pushes(wrench) && since_ > 0;
+  // The least that the damping takes out in this time, which is that of a uniform motion.
+  const double lost = known ? device_.damping * step_.squaredNorm() / since_ : 0;
   energy_.excess += work - lost;
 }
 
 Wrench Passivity::control(const Wrench& wanted) noexcept {
+  wanted_ = wanted;
+  controlled_ = true;
   const bool contact = pushes(wanted);
-  if (!settings_.control || !contact || !(energy_.excess > 0) || !(dt_ > 0)) return wanted;
+  if (!settings_.control || !contact || !(energy_.excess > 0) || !(since_ > 0)) return wanted;
   const Mat3 R = X_FM_.q.toRotationMatrix() * mass_.R_MP;
-  const Vec3 spin = R * mass_.inertia.cwiseProduct(R.transpose() * turn_) / dt_;  // Î ω
-  const Vec3 velocity = step_ / dt_;
-  const double square = velocity.dot(step_) + spin.dot(turn_);  // (|v|² + ωᵀÎω) dt
-  if (!(square > 0)) return wanted;
+  const Vec3 spin = R * mass_.inertia.cwiseProduct(R.transpose() * turn_) / since_;  // Î ω
+  const Vec3 velocity = step_ / since_;
+  // (|v|² + ωᵀÎω) times the time for which it acts
+  const double square = (velocity.dot(step_) + spin.dot(turn_)) * (acts_for_ / since_);
+  if (!(square > 0) || !std::isfinite(square)) return wanted;
   energy_.damping = std::min(energy_.excess / square, most_damping());
-  energy_.dissipated += energy_.damping * square;
   Wrench out = wanted;
   out.force -= energy_.damping * velocity;
   out.torque -= energy_.damping * spin;
@@ -81,10 +130,19 @@ Wrench Passivity::control(const Wrench& wanted) noexcept {
 }
 
 void Passivity::rendered(const Wrench& wrench) noexcept {
+  if (std::exchange(controlled_, false) && since_ > 0) {
+    const Vec3 force = wanted_.force - wrench.force, torque = wanted_.torque - wrench.torque;
+    energy_.dissipated += (force.dot(step_) + torque.dot(turn_)) * (dt_ / since_);
+  }
   // Out of contact the wall stores no energy: what it has taken from the hand is dissipated.
   if (!pushes(wrench) && !pushes(acting())) energy_.excess = std::max(energy_.excess, 0.0);
   newest_ = (newest_ + 1) % wrenches_.size();
   wrenches_[newest_] = wrench;
+}
+
+void Passivity::rested() noexcept {
+  forget_motion();
+  rendered(Wrench{});
 }
 
 }  // namespace sonde

@@ -25,8 +25,9 @@ struct PassivitySettings {
 struct HandEnergy {
   double given = 0;   ///< J, net work on the hand since the start; a passive wall gives none
   double excess = 0;  ///< J, given by contacts beyond what the device dissipates; ≤ 0: passive
-  double dissipated = 0;  ///< J, taken out by the controller so far
-  double damping = 0;     ///< N·s/m, of the controller in this tick
+  /// J, taken out so far by the damping that was rendered, at the hand's newest known speed.
+  double dissipated = 0;
+  double damping = 0;  ///< N·s/m, that the controller wants in this tick
 };
 
 /// Passivity observer and controller in the time domain, after Hannaford and Ryu (2002). It always
@@ -35,8 +36,10 @@ struct HandEnergy {
 ///
 ///     W_k = W_{k−1} + F_{k−1}·(x_k − x_{k−1}) + τ_{k−1}·θ_k,
 ///
-/// with x the probe's centre of mass and θ the rotation vector of its turn. If a device's delay is
-/// known, the wrench is the one that acted. A virtual wall stores no energy after the hand has left
+/// with x the probe's centre of mass and θ the rotation vector of its turn. If a device reports
+/// less often than the servo samples, F and τ are the mean of those held since its last report:
+/// exact for a hand that moves uniformly meanwhile. If a device's delay is known, the wrench is the
+/// one that acted. A virtual wall stores no energy after the hand has left
 /// it, so then W ≤ 0 if the wall is passive, whoever holds the device. The controller dissipates
 /// the energy that a contact gave in excess, in the object norm: F −= α v, τ −= α Î ω, with α as
 /// large as necessary and within the device's limit. The energy that one contact took from the hand
@@ -53,19 +56,34 @@ class Passivity {
   void restart(const Pose& X_FM) noexcept;
   /// The pose of this tick, which includes the effect of the last wrench. dt in s since the last
   /// pose. A pose that leapt (no hand moves that fast) is no motion, and no work: else a wrong one
-  /// would pay for energy that a contact gives.
-  void observe(const Pose& X_FM, double dt, bool leapt = false) noexcept;
+  /// would pay for energy that a contact gives. Neither is one beyond what can be computed with.
+  /// `since` in s, see HandSample; a pose that stays where it was, without it, is no report.
+  void observe(const Pose& X_FM, double dt, bool leapt = false, double since = 0) noexcept;
   /// The wrench that would go to the hand, damped if the controller is on. Call rendered()
   /// afterwards.
   Wrench control(const Wrench& wanted) noexcept;
   /// The wrench that went to the hand in this tick.
   void rendered(const Wrench& wrench) noexcept;
+  /// A tick without a pose and without a wrench: the hand's motion in it is not known.
+  void rested() noexcept;
   const HandEnergy& energy() const noexcept { return energy_; }
 
  private:
   static constexpr std::size_t most_ticks_late = 64;
+  /// Since the last report, of the wrenches that acted.
+  struct Held {
+    Vec3 impulse = Vec3::Zero();  ///< N·s
+    Vec3 twist = Vec3::Zero();    ///< N·m·s
+    double time = 0;              ///< s
+    int ticks = 0;
+  };
   const Wrench& acting() const noexcept;
   double most_damping() const noexcept;
+  void hold(const Wrench& wrench) noexcept;
+  Wrench mean_held() const noexcept;
+  void wait() noexcept;
+  void report(const Vec3& step, const Vec3& turn, double since) noexcept;
+  void forget_motion() noexcept;
 
   MassProperties mass_;
   PassivitySettings settings_;
@@ -73,9 +91,15 @@ class Passivity {
   DeviceTraits device_;
   std::size_t ticks_late_ = 0;
   Pose X_FM_;
-  Vec3 step_ = Vec3::Zero();  ///< of the centre of mass, m
-  Vec3 turn_ = Vec3::Zero();  ///< rad, fixed frame
-  double dt_ = 0;
+  Vec3 step_ = Vec3::Zero();  ///< of the centre of mass up to the last report, m
+  Vec3 turn_ = Vec3::Zero();  ///< rad, fixed frame, likewise
+  double dt_ = 0;             ///< s, of the last tick
+  double since_ = 0;          ///< s, time of step_ and turn_
+  double acts_for_ = 0;       ///< s, for which that motion is taken to go on
+  double fresh_for_ = 0;      ///< s, what is left of it
+  Held held_;
+  Wrench wanted_;                                       ///< of control(), before its damping
+  bool controlled_ = false;                             ///< control() was called in this tick
   std::array<Wrench, most_ticks_late + 1> wrenches_{};  ///< the latest ones, as a ring
   std::size_t newest_ = 0;
   HandEnergy energy_;
