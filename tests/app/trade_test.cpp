@@ -119,7 +119,8 @@ TEST_F(Trade, the_search_is_measured_with_another_number) {
   EXPECT_THAT(files("varied").at("study.json"), HasSubstr("most_first_sketches=1"));
   // The long searches, which give the reference, are the same.
   EXPECT_EQ(files("plain").at("poses.csv"), files("varied").at("poses.csv"));
-  expect_refused(boxes + "--vary most_first_sketches=2 --out varied", 3, "other inputs or settings");
+  expect_refused(boxes + "--vary most_first_sketches=2 --out varied", 3,
+                 "other inputs or settings");
   expect_refused(boxes + "--vary first_sketch=2 --out other", 2, "most_first_sketches");
 }
 
