@@ -183,6 +183,7 @@ class OwnerFinder {
   /// parts, unless one comes before all parts.
   std::uint32_t likely(std::uint32_t p, const std::vector<std::uint32_t>& around) const {
     std::vector<std::pair<double, std::uint32_t>> by_middle;
+    by_middle.reserve(around.size());
     for (const std::uint32_t q : around)
       by_middle.emplace_back((bounds_[p].center() - bounds_[q].center()).norm(), q);
     ordering::sort(by_middle.begin(), by_middle.end());

@@ -58,6 +58,7 @@ class SelfCrossings {
     for (std::uint32_t i = 0; i < boxes_.size(); ++i)
       by_set[static_cast<std::uint32_t>(sets.find(i))].extend(boxes_[i]);
     std::vector<Box> out;
+    out.reserve(by_set.size());
     for (const auto& [set, box] : by_set) out.push_back(box);
     return out;
   }

@@ -109,6 +109,7 @@ class JointFinder {
     }
     ordering::sort(order.begin(), order.end());
     std::vector<Box> out;
+    out.reserve(order.size());
     for (const std::size_t i : order) out.push_back(boxes[i]);
     return out;
   }

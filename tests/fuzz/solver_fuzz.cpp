@@ -7,6 +7,7 @@
 
 #include "engine/body/body.hpp"
 #include "engine/geometry/mass.hpp"
+#include "engine/penetration/descent/descent.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/penetration/search/static_search.hpp"
 #include "engine/proximity/queries/intersect.hpp"
@@ -63,6 +64,11 @@ double rounding(const MassProperties& mass, const Pose& from, const Pose& to) {
          1e-13 * (from.p.norm() + to.p.norm() + mass.com.norm() + mass.radius);
 }
 
+/// m: by so much a tick may rise at most, where the probe regains its gaps (CoherentSolver).
+double regained(const MassProperties& mass, double depth) {
+  return allowed_clearance(mass.radius, depth) / 4;
+}
+
 void check(const Pair& pair, const Separation& s, const Pose& device, Method method) {
   if (s.status == Status::failed) {
     require(s.reason != nullptr && *s.reason != 0, "a failure has a reason");
@@ -115,7 +121,8 @@ void check_followed(const Pair& pair, std::span<const Pose> path) {
       const Separation& s = solver.tick(device, {.work = 200'000});
       check(pair, s, device, method);
       if (method == Method::pdg && s.status != Status::failed)
-        require(s.depth <= displacement(mass, device, before) + rounding(mass, device, before),
+        require(s.depth <= displacement(mass, device, before) + regained(mass, s.depth) +
+                               rounding(mass, device, before),
                 "on the path to the separated pose the displacement does not rise");
     }
   }

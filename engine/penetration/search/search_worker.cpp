@@ -31,7 +31,7 @@ LocalOptimum SearchWorker::descend(const Chart& chart, const Vec6& y, Method met
                                         .reach = tuned_.reach,
                                         .beat = tuned_.rough_error * beat},
                                        limits.before);
-  const LocalOptimum roughly{rough.y, rough.y.norm(), rough.iterations};
+  LocalOptimum roughly{rough.y, rough.y.norm(), rough.iterations};
   const int left = limits.steps - roughly.iterations;
   if (left <= 0 || (beat > 0 && roughly.depth > tuned_.rough_error * beat)) return roughly;
   LocalOptimum out = descend_exactly(chart, rough.y, method, {left, beat, limits.before});
