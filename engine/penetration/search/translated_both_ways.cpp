@@ -3,6 +3,7 @@
 
 #include <tuple>
 
+#include "engine/penetration/descent/descent.hpp"
 #include "engine/penetration/search/search.hpp"
 
 namespace sonde {
@@ -18,6 +19,13 @@ bool is_in_order(const Pair& pair, const Pose& device) {
   return key(pair.probe(), device.p) <= key(pair.fixed(), inverse(device).p);
 }
 
+/// Whether the first of the two searches is enough. An answer of nearly no depth may stand off by
+/// more than its usual share of it; then the other may come nearer.
+bool is_enough(const Search& search, const Separation& found, const Body& probe) {
+  return found.status == Status::penetrating && search.is_settled() &&
+         allowed_clearance(probe.mass.radius, found.depth) <= 1e-4 * found.depth;
+}
+
 }  // namespace
 
 Translated translated_both_ways(const Pair& pair, const Pose& device, const StaticOptions& options,
@@ -29,7 +37,8 @@ Translated translated_both_ways(const Pair& pair, const Pose& device, const Stat
   Separation found, other;
   if (is_in_order(pair, device)) {
     found = there.run();
-    if (found.status != Status::penetrating || there.is_settled()) return {found, sketches()};
+    if (found.status != Status::penetrating || is_enough(there, found, pair.probe()))
+      return {found, sketches()};
     back.know(inverse(found.separated));
     other = back.run();
     if (other.status == Status::penetrating && other.depth < (1 - 1e-9) * found.depth) {
@@ -39,7 +48,7 @@ Translated translated_both_ways(const Pair& pair, const Pose& device, const Stat
   } else {
     other = back.run();
     if (other.status == Status::penetrating) there.know(inverse(other.separated));
-    if (other.status == Status::penetrating && back.is_settled()) found = there.again();
+    if (is_enough(back, other, pair.fixed())) found = there.again();
     if (found.status != Status::penetrating) found = there.run();
     if (found.status != Status::penetrating) return {found, sketches()};
   }
