@@ -29,7 +29,10 @@ constexpr int most_growth = 12;
 constexpr double left_out = 1e-3;
 constexpr std::uint32_t not_used = std::numeric_limits<std::uint32_t>::max();
 
-double cube_of(const Box& box) { return std::pow(box.diagonal().norm(), 3); }
+double cube_of(const Box& box) {
+  const double diagonal = box.diagonal().norm();
+  return diagonal * diagonal * diagonal;
+}
 
 /// Boxes that overlap as one, until none do.
 std::vector<Box> apart(const std::vector<Box>& boxes) {

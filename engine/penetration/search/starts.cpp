@@ -215,7 +215,8 @@ LocalOptimum Starts::descend_from_ball(Random random, const Aim& aim, std::size_
 LocalOptimum Starts::descend_near_end(const Vec6& end, Random random, const Aim& aim,
                                       std::size_t lane) {
   const double part = random.uniform(0, 1),
-               radius = aim.beat * std::lerp(tuned_.same_place, tuned_.end_ball, part * part);
+               radius = aim.beat *
+                        (tuned_.same_place + (tuned_.end_ball - tuned_.same_place) * part * part);
   const auto y = free_sample(random, end, radius, aim.method, lane);
   LocalOptimum out = y ? lanes_[lane].descend(chart_, *y, aim.method, limits(aim)) : LocalOptimum{};
   out.starts = 0;
