@@ -65,7 +65,7 @@ class Regions {
     // Few of the lines meet what is thin. A part alone has nothing twice but where it crosses
     // itself.
     if (roles_.size() > 1 || is_resolved(found)) return whole;
-    Region finer = of_crossings({});
+    Region finer = of_crossings(part_of(progress, 0.9, 1));
     const bool better = finer.overlaps && !finer.unknown && finer.error < whole.error;
     return better || !whole.overlaps ? finer : whole;
   }
