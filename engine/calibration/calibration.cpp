@@ -10,6 +10,7 @@
 #include "engine/base/numbers.hpp"
 #include "engine/base/ordering.hpp"
 #include "engine/base/quantile.hpp"
+#include "engine/penetration/descent/descent.hpp"
 
 namespace sonde {
 namespace {
@@ -117,6 +118,9 @@ Calibration joined(Calibration measured, const Calibration& other) {
 
 AccuracyCurve::AccuracyCurve(const Calibration& calibration, Answers answers, Method method,
                              bool has_sketches, double sure) {
+  // The references of searches stand off their contacts as the answers do, the true depth does not.
+  // Ticks are compared with ticks.
+  const double least = answers == Answers::search ? clearance_of_depth : 0;
   const auto line = [&](bool far_out) {
     auto errors = of_kind(calibration, {answers, method, has_sketches, far_out});
     if (errors.empty()) errors = of_kind(calibration, {answers, method, std::nullopt, far_out});
@@ -124,13 +128,13 @@ AccuracyCurve::AccuracyCurve(const Calibration& calibration, Answers answers, Me
     double best = infinity;
     for (const auto& [time_us, of_pairs] : errors) {
       if (time_us <= 0) continue;
-      best = std::min(best, kept_to(of_pairs, sure));
+      best = std::min(best, std::max(least, kept_to(of_pairs, sure)));
       out.points.push_back({time_us, best});
     }
     // Ticks without a limit are the reference of the other ticks.
     const auto unlimited = errors.find(0);
     if (answers == Answers::search && unlimited != errors.end())
-      out.without_limit = std::min(best, kept_to(unlimited->second, sure));
+      out.without_limit = std::min(best, std::max(least, kept_to(unlimited->second, sure)));
     return out;
   };
   near_ = line(false);

@@ -56,6 +56,7 @@ inline constexpr double usually_sure = 0.9;
 
 /// The accuracy that nine in ten answers of a kind (or another share) reach, as a function of their
 /// time: of all families alike if ten pairs or more were measured, otherwise of the worst pair's.
+/// Of searches it is at least clearance_of_depth, by which an answer may stand off its contacts.
 /// Answers whose way out is long (Separation::far_out) have a curve of their own.
 class AccuracyCurve {
  public:

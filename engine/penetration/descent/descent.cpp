@@ -59,7 +59,7 @@ Vec6 shortened(const Vec6& step, double longest) {
 }  // namespace
 
 double allowed_clearance(double radius, double depth) {
-  return std::max(1e-9 * radius, 1e-4 * std::min(radius, depth));
+  return std::max(1e-9 * radius, clearance_of_depth * std::min(radius, depth));
 }
 
 Descent::Descent(const Body& probe, const Body& fixed, Method method,

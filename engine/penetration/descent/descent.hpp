@@ -12,6 +12,8 @@
 
 namespace sonde {
 
+/// Share of the depth by which a returned pose may stand off its contacts.
+inline constexpr double clearance_of_depth = 1e-4;
 /// Largest distance from contact of a returned pose: max(1e-9 R, 1e-4·min(R, depth)), m.
 double allowed_clearance(double radius, double depth);
 

@@ -98,6 +98,18 @@ TEST(AccuracyCurve, says_nothing_of_ticks_without_a_limit) {
   EXPECT_EQ(claim_of(answer, 0, curve).by, Claim::By::nothing);
 }
 
+/// Errors are against references that stand off their contacts too; the true depth does not.
+TEST(AccuracyCurve, is_no_finer_than_what_an_answer_stands_off) {
+  Calibration exact = made_up_series();
+  for (CalibrationPoint& point : exact.series[0].points) point.errors = nine_within(1e-6);
+  const AccuracyCurve searches(exact, Answers::search, Method::pdg, true);
+  EXPECT_NEAR(searches.within(1000), 1e-4, 1e-18);
+  EXPECT_EQ(searches.within(0), 1e-4);
+  EXPECT_EQ(searches.time_for(1e-5), 0) << "as long as it takes, and still not that fine";
+  exact.series[0].answers = Answers::tick;
+  EXPECT_NEAR(AccuracyCurve(exact, Answers::tick, Method::pdg, true).within(1000), 1e-6, 1e-20);
+}
+
 TEST(AccuracyCurve, time_and_accuracy_are_each_other_s_inverse) {
   const AccuracyCurve curve(made_up_series(), Answers::search, Method::pdg, true);
   for (const double accuracy : {0.15, 0.1, 0.05, 0.02, 0.01})
