@@ -11,12 +11,12 @@ namespace sonde {
 /// trial on the poses of `tests/reference` and the paths of the bundled scenes. Lengths are in m of
 /// y unless a line gives another unit; R is the probe's radius.
 struct DescentTuning {
-  /// |v| of a pose: no descent begins beyond it (179.5°), since the chart ends at 1. None turns
+  /// |v| of a pose: no descent begins beyond it (179.98°), since the chart ends at 1. None turns
   /// further than Chart::largest_v, or than where it began. (With 0.9, the best separations of four
-  /// of the 16 dovetails of deep_tuning.csv, which turn by 138 to 150°, are never found; 0.99 and
-  /// more find the same. With 0.999, 175°, a keyed peg that is turned by 177° or more from its
-  /// bore is answered 2.3 times as deep.)
-  double largest_start_v = 0.99999;
+  /// of the 16 dovetails of deep_tuning.csv, which turn by 138 to 150°, are never found. A plug that
+  /// is the wrong way round in its socket turns back by all but its play: with 0.99999, 179.5°, one
+  /// of seven keyed plugs with a play of 0.6° was answered 2.3 times as deep from there on.)
+  double largest_start_v = 0.99999999;
 
   // Each step
   /// |Δv|, about half the angle, rad: beyond it, the linearisation of a turn is too inaccurate. A

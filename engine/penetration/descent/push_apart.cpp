@@ -78,9 +78,9 @@ bool PushApart::is_free(const Chart& chart, const Vec6& y) const {
   return !overlap(probe_, fixed_, Transform(chart.pose(y)), Doubt::contact);
 }
 
-void PushApart::gather(const Chart& chart, const Vec6& y, double margin) {
+void PushApart::gather(const Chart& here, double margin) {
   const PhaseTimer timer(times_, Phase::look);
-  const Transform X(chart.pose(y));
+  const Transform X(here.device());
   Effort unlimited;
   const std::size_t count = find_violations(probe_, fixed_, X, margin, found_, unlimited);
   rows_.clear();
@@ -90,7 +90,7 @@ void PushApart::gather(const Chart& chart, const Vec6& y, double margin) {
     const WayOut way =
         found_[i].gap > 0 ? way_apart(a, b) : way_out(a, b, probe_.solid, fixed_.solid);
     if (!std::isfinite(way.gap)) continue;
-    HalfSpace row{chart.row(y, way.on_probe, way.normal), margin - way.gap};
+    HalfSpace row{here.row(Vec6::Zero(), way.on_probe, way.normal), margin - way.gap};
     if (method_ == Method::pdt) row.normal.head<3>().setZero();
     rows_.push_back({row, 0});
   }
@@ -111,6 +111,14 @@ void PushApart::shorten_long_ways() {
   const double most = push_apart_tuning.longest_way * *middle;
   for (Row& row : rows_)
     if (way(row) > most) row.half_space.bound = most * row.half_space.normal.norm();
+}
+
+/// y after a step in the chart of the probe's present pose. A step past half a turn comes back into
+/// the device's chart from its other side.
+Vec6 PushApart::moved(const Chart& chart, const Vec6& y, const Chart& here,
+                      const Vec6& step) const {
+  if (method_ == Method::pdt) return y + step;  // exactly without a turn
+  return chart.coordinates(here.pose(step));
 }
 
 /// Projected Gauss-Seidel on the regularised dual: rows that contradict each other are both met in
@@ -136,15 +144,18 @@ std::optional<Vec6> PushApart::from(const Chart& chart, const Vec6& start, doubl
   Vec6 y = start;
   int returns = 0;
   for (int looks = 0; looks < push_apart_tuning.most_looks && !deadline.passed(); ++looks) {
-    if (is_free(chart, y)) return y;
+    if (is_free(chart, y)) {
+      if (chart.v(y).norm() < descent_tuning.largest_start_v) return y;
+      return std::nullopt;
+    }
     // In a fit with less room, triangles on both sides contradict each other.
     if (2 * looks > push_apart_tuning.most_looks) margin *= push_apart_tuning.less_margin;
-    gather(chart, y, margin);
+    const Chart here(chart.mass(), chart.pose(y));
+    gather(here, margin);
     if (rows_.empty()) return std::nullopt;  // one body is inside the other
     Vec6 step = compromise();
-    step *= std::min(1.0, descent_tuning.largest_turn / std::max(chart.v(step).norm(), 1e-30));
-    y += step;
-    if (!(chart.v(y).norm() < descent_tuning.largest_start_v)) return std::nullopt;
+    step *= std::min(1.0, descent_tuning.largest_turn / std::max(here.v(step).norm(), 1e-30));
+    y = moved(chart, y, here, step);
     if (y.norm() < farthest) continue;
     if (!(y.norm() > 0) || ++returns > push_apart_tuning.most_returns) return std::nullopt;
     y *= push_apart_tuning.returns_to * farthest / y.norm();

@@ -36,12 +36,15 @@ class PushApart {
     double push;           ///< its multiplier
   };
   bool is_free(const Chart& chart, const Vec6& y) const;
-  /// Makes rows of the pairs that intersect at y, or nearly do.
-  void gather(const Chart& chart, const Vec6& y, double margin);
+  /// Makes rows of the pairs that intersect, or nearly do, at the pose whose chart this is: the
+  /// least step is of the motion from there. In the device's chart a turn near half of one is a
+  /// step of no length, and a push across it would leave the chart.
+  void gather(const Chart& here, double margin);
   /// Limits what a row asks for, compared with the others.
   void shorten_long_ways();
   /// A step that satisfies the rows about evenly.
   Vec6 compromise();
+  Vec6 moved(const Chart& chart, const Vec6& y, const Chart& here, const Vec6& step) const;
 
   const Body& probe_;
   const Body& fixed_;
