@@ -179,21 +179,21 @@ QString not_varied(const TuningResults& results) {
                                .arg(names.join(QStringLiteral(", ")));
 }
 
-/// The value that limits most of those that are not sure, with both ends.
+/// The value that limits most of those that are not sure, with what is recommended at both ends.
 QString limiting_assumption(const TuningResults& results, GainAxis axis) {
   const std::vector<AssumedInterval> intervals = assumed_intervals(results, axis);
-  if (intervals.empty()) return {};
-  const AssumedInterval& worst = intervals.front();
+  if (!change_gains(intervals)) return {};
+  const AssumedInterval& most = intervals.front();
   const auto end = [&](const AssumedEnd& each) {
-    const double boundary = boundary_that_counts(results, each.gains);
     return QStringLiteral("%1 at %2")
-        .arg(std::isfinite(boundary) ? with_unit(boundary, stiffness_unit(axis))
-                                     : QStringLiteral("beyond the range studied"),
-             number(each.value));
+        .arg(with_unit(each.gains.stiffness, stiffness_unit(axis)),
+             with_unit(each.value, text(unit_of(most))).trimmed());
   };
   return QStringLiteral(
-             " Of the values that are not sure, the %1 limits most: the boundary is %2, and %3.")
-      .arg(text(worst.key).replace('_', ' '), end(worst.low), end(worst.high));
+             " Of the values that are not sure, the %1 limits most: by the limits of the %2 "
+             "contact (%3 hand) alone, %4, and %5.")
+      .arg(text(most.key).replace('_', ' '), text(most.kind), text(most.hand), end(most.low),
+           end(most.high));
 }
 
 QString rests_on(const TuningResults& results, GainAxis axis) {

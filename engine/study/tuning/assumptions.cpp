@@ -2,9 +2,11 @@
 #include "engine/study/tuning/assumptions.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <iterator>
+#include <map>
 
 #include "engine/base/numbers.hpp"
+#include "engine/settings/device_profile.hpp"
 
 namespace sonde {
 namespace {
@@ -16,17 +18,42 @@ AssumedEnd end_of(const TuningResults& results, GainAxis axis, const std::string
   return out;
 }
 
-/// The least and the largest multiple of each value that a study varies.
-std::map<std::string, std::pair<double, double>> varied_times(const TuningResults& results,
-                                                              GainAxis axis) {
-  std::map<std::string, std::pair<double, double>> out;
+/// The least and the largest multiple at which a study varies a value, and where it does.
+struct Varied {
+  double low = 1, high = 1;
+  std::string kind, hand;
+};
+std::map<std::string, Varied> varied_values(const TuningResults& results, GainAxis axis) {
+  std::map<std::string, Varied> out;
   for (const TuningLine& line : results.lines) {
     if (line.axis != axis || line.assumed.empty()) continue;
-    auto& [low, high] = out.try_emplace(line.assumed, line.times, line.times).first->second;
-    low = std::min(low, line.times);
-    high = std::max(high, line.times);
+    const Varied here{line.times, line.times, line.kind, line.hand};
+    Varied& value = out.try_emplace(line.assumed, here).first->second;
+    value.low = std::min(value.low, line.times);
+    value.high = std::max(value.high, line.times);
   }
   return out;
+}
+
+/// A search at other values does not resolve less.
+constexpr double resolved = 1.05;
+
+double worse(const AssumedInterval& interval) {
+  return std::min(interval.low.gains.stiffness, interval.high.gains.stiffness);
+}
+double better(const AssumedInterval& interval) {
+  return std::max(interval.low.gains.stiffness, interval.high.gains.stiffness);
+}
+
+/// Of intervals sorted by their worse ends.
+std::vector<AssumedInterval>::iterator limits_most(std::vector<AssumedInterval>& sorted) {
+  if (sorted.empty()) return sorted.end();
+  const double least = worse(sorted.front());
+  const auto apart = std::ranges::find_if(
+      sorted, [&](const AssumedInterval& each) { return worse(each) > resolved * least; });
+  return std::max_element(
+      sorted.begin(), apart,
+      [](const AssumedInterval& a, const AssumedInterval& b) { return better(a) < better(b); });
 }
 
 }  // namespace
@@ -49,14 +76,27 @@ double boundary_that_counts(const TuningResults& results, const TuningColumn& co
 
 std::vector<AssumedInterval> assumed_intervals(const TuningResults& results, GainAxis axis) {
   std::vector<AssumedInterval> out;
-  for (const auto& [key, times] : varied_times(results, axis))
-    out.push_back(
-        {key, end_of(results, axis, key, times.first), end_of(results, axis, key, times.second)});
-  std::ranges::stable_sort(out, {}, [&](const AssumedInterval& each) {
-    return std::min(boundary_that_counts(results, each.low.gains),
-                    boundary_that_counts(results, each.high.gains));
-  });
+  for (const auto& [key, value] : varied_values(results, axis))
+    out.push_back({key, end_of(results, axis, key, value.low),
+                   end_of(results, axis, key, value.high), value.kind, value.hand});
+  std::ranges::stable_sort(out, {}, worse);
+  const auto first = limits_most(out);
+  std::rotate(out.begin(), first, first == out.end() ? first : std::next(first));
   return out;
+}
+
+bool change_gains(const std::vector<AssumedInterval>& intervals) {
+  double least = infinity, most = 0;
+  for (const AssumedInterval& each : intervals) {
+    least = std::min(least, worse(each));
+    most = std::max(most, better(each));
+  }
+  return most > resolved * least;
+}
+
+std::string unit_of(const AssumedInterval& interval) {
+  const auto key = std::ranges::find(profile_keys(), interval.key, &ProfileKey::key);
+  return key == profile_keys().end() ? std::string() : key->unit;
 }
 
 }  // namespace sonde

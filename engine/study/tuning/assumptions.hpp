@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -19,6 +18,7 @@ struct AssumedEnd {
 struct AssumedInterval {
   std::string key;
   AssumedEnd low, high;
+  std::string kind, hand;  ///< the one situation in which it was varied
 };
 
 /// The least stability limit: at harder knocks or, unless friction is trusted, without friction, if
@@ -27,8 +27,16 @@ double boundary_that_counts(const TuningResults& results, const AxisGains& gains
 /// The same in one situation, with one hand and damping.
 double boundary_that_counts(const TuningResults& results, const TuningColumn& column);
 
-/// For each value that the study varied, in the one situation where it did; first the value at
-/// whose worse end the stability limit is least.
+/// For each value that the study varied, in the one situation where it did; first the one that
+/// limits the recommended stiffness most. At its worse end least is recommended; of those that the
+/// search cannot tell apart there, it is the one at whose better end most is. The others follow by
+/// their worse ends.
 std::vector<AssumedInterval> assumed_intervals(const TuningResults& results, GainAxis axis);
+
+/// Whether the search can tell the recommendations at the ends of any of them apart.
+bool change_gains(const std::vector<AssumedInterval>& intervals);
+
+/// The unit of a value of the profile; empty if it has none.
+std::string unit_of(const AssumedInterval& interval);
 
 }  // namespace sonde

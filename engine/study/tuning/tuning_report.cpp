@@ -129,12 +129,16 @@ Json json_of(const AssumedEnd& end) {
           {"limited_by", end.gains.limit.reason}};
 }
 
-/// The assumed value on which the recommendation depends most, at both ends of its interval.
+/// The assumed value that limits the recommendation most, at both ends of its interval; also if
+/// none changes it.
 Json limiting_assumption(const TuningResults& results, GainAxis axis) {
   const std::vector<AssumedInterval> intervals = assumed_intervals(results, axis);
   if (intervals.empty()) return nullptr;
   const AssumedInterval& worst = intervals.front();
-  return {{"assumed", worst.key}, {"low", json_of(worst.low)}, {"high", json_of(worst.high)}};
+  return {{"assumed", worst.key},
+          {"low", json_of(worst.low)},
+          {"high", json_of(worst.high)},
+          {"changes_gains", change_gains(intervals)}};
 }
 
 /// Null if nothing is good.

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/settings/device_profile.hpp"
 #include "engine/study/tuning/assumptions.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
 #include "engine/study/tuning/tuning.hpp"
@@ -245,34 +244,30 @@ std::vector<std::string> lasting_swings(const TuningResults& results, const Axis
   return out;
 }
 
-/// Whether the ends of no value differ by more than a search at other values resolves.
-bool nothing_changes(const std::vector<AssumedInterval>& intervals) {
-  constexpr double resolved = 1.05;
-  double least = infinity, most = 0;
-  for (const AssumedInterval& each : intervals)
-    for (const AssumedEnd* end : {&each.low, &each.high}) {
-      least = std::min(least, end->gains.stiffness);
-      most = std::max(most, end->gains.stiffness);
-    }
-  return most <= resolved * least;
+/// Values are varied in one situation: the recommendation may be lower by another, or by the trial
+/// of what comes to rest.
+std::string varied_in(const TuningResults& results, GainAxis axis, const AssumedInterval& value) {
+  const auto as_is = recommend_as_varied(results, axis);
+  return "by the limits of the " + value.kind + " contact (" + value.hand + " hand) alone, " +
+         (as_is ? stiffness_text(*as_is) + " as it is, " : "");
 }
 
 std::string limiting_assumption_text(const TuningResults& results, GainAxis axis) {
   const auto intervals = assumed_intervals(results, axis);
   if (intervals.empty()) return {};
-  if (nothing_changes(intervals))
+  const AssumedInterval& most = intervals.front();
+  if (!change_gains(intervals))
     return "none of the device's values that are not sure changes the gains: " +
-           stiffness_text(intervals.front().low.gains) + " at both ends of each";
-  const AssumedInterval& worst = intervals.front();
-  const auto key = std::ranges::find(profile_keys(), worst.key, &ProfileKey::key);
-  const std::string unit = key == profile_keys().end() ? "" : std::string(" ") + key->unit;
+           stiffness_text(most.low.gains) + " at both ends of each, by the limits of the " +
+           most.kind + " contact (" + most.hand + " hand) alone";
+  const std::string unit = unit_of(most).empty() ? "" : " " + unit_of(most);
   const auto end = [&](const AssumedEnd& at) {
     return stiffness_text(at.gains) + " at " + short_text(at.value) + unit;
   };
-  std::string name = worst.key;
+  std::string name = most.key;
   std::ranges::replace(name, '_', ' ');
   return "of the device's values that are not sure, the " + name +
-         " limits most: " + end(worst.low) + ", " + end(worst.high);
+         " limits most: " + varied_in(results, axis, most) + end(most.low) + ", " + end(most.high);
 }
 
 /// Empty if only one hand was studied.

@@ -48,8 +48,8 @@ TEST(RecommendationText, names_what_friction_carries_and_the_assumption_that_lim
   for (const char* words :
        {"k = 200 N/m", "Limited by stability without friction", "Without friction, up to 300 N/m.",
         "At harder knocks, up to 600 N/m.",
-        "Of the values that are not sure, the mass limits most: the boundary is 450 N/m at 0.100, "
-        "and 1800 N/m at 0.400."})
+        "Of the values that are not sure, the mass limits most: by the limits of the edge contact "
+        "(light hand) alone, 300 N/m at 0.100 kg, and 1200 N/m at 0.400 kg."})
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
 }
 

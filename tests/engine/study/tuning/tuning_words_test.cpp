@@ -159,7 +159,8 @@ TEST(TuningWords, name_the_limiting_assumption_at_both_ends) {
   }
   EXPECT_THAT(recommendation_in_words(r).back(),
               testing::StrEq("of the device's values that are not sure, the max force limits most: "
-                             "2000 N/m at 5 N, 500 N/m at 20 N"));
+                             "by the limits of the flat contact (light hand) alone, 1000 N/m as it "
+                             "is, 2000 N/m at 5 N, 500 N/m at 20 N"));
 }
 
 // Where the driver's word decides, say, each value may be half or twice what it is assumed to be.
@@ -174,8 +175,10 @@ TEST(TuningWords, name_no_limiting_assumption_where_none_limits) {
     return recommendation_in_words(r).back();
   };
   const std::string none = "none of the device's values that are not sure changes the gains: ";
-  EXPECT_EQ(words_with(1500, 1500), none + "1000 N/m at both ends of each");
-  EXPECT_EQ(words_with(1500, 1560), none + "1000 N/m at both ends of each");
+  const std::string same =
+      "1000 N/m at both ends of each, by the limits of the flat contact (light hand) alone";
+  EXPECT_EQ(words_with(1500, 1500), none + same);
+  EXPECT_EQ(words_with(1500, 1560), none + same);
   EXPECT_THAT(words_with(1500, 1650), HasSubstr("the max force limits most"));
   EXPECT_THAT(words_with(1500, 1350), HasSubstr("the max force limits most"));
 }
