@@ -78,7 +78,7 @@ Command add_tune_command(CLI::App& program) {
   parser->add_flag("--trust-friction", options->trusts_friction,
                    "recommend gains that are stable only thanks to the profile's friction");
   parser->add_flag("--always-held", options->always_held,
-                   "recommend gains at which the handle may buzz once the hand lets go");
+                   "recommend gains at which the handle may be unstable once the hand lets go");
   return {parser, [options] { run(*options); }};
 }
 

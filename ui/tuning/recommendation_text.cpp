@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "engine/study/stability/contact_stability.hpp"
 #include "engine/study/tuning/assumptions.hpp"
 #include "ui/base/format.hpp"
 #include "ui/tuning/present_contact.hpp"
@@ -71,6 +72,38 @@ QString contacts(const std::vector<GainLimit>& places) {
   return out.join(QStringLiteral("; "));
 }
 
+/// What theory says of the handle without a hand.
+QString let_go(const AxisGains& gains) {
+  const QString unit = stiffness_unit(gains.axis);
+  const QString hertz = QStringLiteral("%1 Hz").arg(slowest_buzz);
+  const auto up_to = [&](double limit) {
+    return std::isfinite(limit) ? QStringLiteral(" up to %1").arg(with_unit(limit, unit))
+                                : QString();
+  };
+  switch (if_let_go(gains)) {
+    case LetGo::unknown:
+      return {};
+    case LetGo::no_buzz:
+      return QStringLiteral(
+                 " Without a hand on the handle, no swing of %1 or faster grows in theory%2.")
+          .arg(hertz, up_to(gains.released));
+    case LetGo::stable:
+      return QStringLiteral(" Without a hand on the handle, no swing grows in theory%1.")
+          .arg(up_to(*gains.released_any_swing));
+    case LetGo::slow_swing:
+      return QStringLiteral(
+                 " Without a hand on the handle it is unstable in theory: a swing slower than %1 "
+                 "grows from %2 on.")
+          .arg(hertz, with_unit(*gains.released_any_swing, unit));
+    case LetGo::buzz:
+      return QStringLiteral(
+                 " Without a hand on the handle it is unstable in theory, and buzzes: up to %1 it "
+                 "would be stable.")
+          .arg(with_unit(largest_if_let_go(gains), unit));
+  }
+  return {};
+}
+
 QString margin(const AxisGains& gains) {
   const QString unit = stiffness_unit(gains.axis);
   QString line =
@@ -89,10 +122,7 @@ QString margin(const AxisGains& gains) {
     line += QStringLiteral(" Passive in theory up to %1.").arg(with_unit(gains.passive, unit));
   if (gains.passive == 0)
     line += QStringLiteral(" Passive at no stiffness: the wrench is no gradient of an energy.");
-  if (std::isfinite(gains.released))
-    line += QStringLiteral(" Without a hand on the handle, stable in theory up to %1.")
-                .arg(with_unit(gains.released, unit));
-  return line;
+  return line + let_go(gains);
 }
 
 /// Of what was held for seconds.

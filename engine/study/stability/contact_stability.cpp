@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <numbers>
 #include <unsupported/Eigen/MatrixFunctions>
@@ -19,7 +20,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Rows = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
-constexpr double slowest_buzz = 5;  // Hz
+/// Without damping, a direction without resistance has the double eigenvalue 1, which rounding
+/// splits by its square root.
+constexpr double rounding = 1e-7;
+constexpr double slowest_growth = std::numbers::ln2 / 60;  // 1/s
 
 /// The part of the wrench that the device's motors can render.
 Mat6 rendered(const SimulatedDeviceParameters& device, Mat6 felt) {
@@ -70,6 +74,15 @@ Coast coast(const SimulatedDeviceParameters& device, double time) {
   return {both(0, 0), both(0, 1), both(0, 2), both(1, 0), both(1, 1), both(1, 2)};
 }
 
+/// At forces next to none, where the motions along several axes are all but the same, the real
+/// iteration may not converge, and what it then holds is none. The complex one does.
+Eigen::VectorXcd eigenvalues_of(const MatrixXd& matrix) {
+  const Eigen::EigenSolver<MatrixXd> solver(matrix, false);
+  if (solver.info() == Eigen::Success) return solver.eigenvalues();
+  return Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(matrix.cast<std::complex<double>>(), false)
+      .eigenvalues();
+}
+
 /// One sample of the loop, with K times a factor, on (x_k, v_k, x_{k−1}, F_{k−1}, F_{k−2}, ...).
 class Loop {
  public:
@@ -85,18 +98,21 @@ class Loop {
 
   /// The spectral radius for oscillations of at least `slowest` Hz.
   double radius(double factor, double slowest = 0) const {
-    const Eigen::EigenSolver<MatrixXd> solver(transition(factor), false);
     const double least = 2 * std::numbers::pi * slowest * contact_.sample_time;
     double largest = 0;
-    for (const auto& value : solver.eigenvalues())
+    for (const auto& value : eigenvalues_of(transition(factor)))
       if ((value.imag() != 0 || value.real() < 0) &&
           std::abs(elementary::atan2(value.imag(), value.real())) >= least)
         largest = std::max(largest, elementary::size(value));
     return largest;
   }
-  /// Without damping, a direction without resistance has the double eigenvalue 1, which rounding
-  /// splits by its square root.
-  bool stable(double factor, double slowest) const { return radius(factor, slowest) <= 1 + 1e-7; }
+  bool stable(double factor, double slowest) const {
+    return radius(factor, slowest) <= 1 + rounding;
+  }
+  /// Whether every oscillation needs at least a minute to double.
+  bool hardly_grows(double factor) const {
+    return radius(factor) <= 1 + std::max(rounding, slowest_growth * contact_.sample_time);
+  }
 
  private:
   Rows unit(Index block) const {
@@ -198,6 +214,12 @@ bool conserves(const SampledContact& contact) {
       });
 }
 
+SampledContact released(SampledContact contact) {
+  for (HandleMotion* motion : {&contact.device.translation, &contact.device.rotation})
+    motion->hand_stiffness = motion->hand_damping = 0;
+  return contact;
+}
+
 }  // namespace
 
 double buzz_radius(const SampledContact& contact) { return Loop(contact).radius(1); }
@@ -208,10 +230,13 @@ double largest_stable_factor(const SampledContact& contact, double slowest) {
 }
 
 double largest_released_factor(const SampledContact& contact) {
-  SampledContact released = contact;
-  for (HandleMotion* motion : {&released.device.translation, &released.device.rotation})
-    motion->hand_stiffness = motion->hand_damping = 0;
-  return largest_stable_factor(released, slowest_buzz);
+  return largest_stable_factor(released(contact), slowest_buzz);
+}
+
+double largest_released_factor_of_any_swing(const SampledContact& contact) {
+  const Loop loop(released(contact));
+  const double factor = largest_factor([&](double each) { return loop.hardly_grows(each); });
+  return std::min(factor, largest_released_factor(contact));
 }
 
 double largest_passive_factor(const SampledContact& contact) {

@@ -35,10 +35,15 @@ double buzz_radius(const SampledContact& contact);
 /// within 1e-4 of itself; 0 if it is never stable, infinite if it is stable up to 1e12.
 /// Oscillations slower than `slowest` (Hz) are ignored.
 double largest_stable_factor(const SampledContact& contact, double slowest = 0);
+/// Hz: what is slower is no buzz. It may grow all the same, and then it is unstable too.
+constexpr double slowest_buzz = 5;
 /// The same for a handle that is pressed as before, but not held by a hand: no spring and no
-/// damper. Oscillations slower than 5 Hz are ignored: a handle that drifts away does not buzz, and
-/// a hand that comes back stops it.
+/// damper. Only oscillations from slowest_buzz on count: a hand that comes back stops a slower one,
+/// and a handle that nothing presses any more leaves the contact before one has grown.
 double largest_released_factor(const SampledContact& contact);
+/// The same for oscillations of any frequency. They grow if they double within a minute: what takes
+/// longer is too close to rounding to tell. Not above largest_released_factor.
+double largest_released_factor_of_any_swing(const SampledContact& contact);
 
 /// The largest factor on K up to which the loop is passive, that is, takes energy out of whatever
 /// holds the handle: D − |B| ⪰ (T/2 + t_d) K, with D the damping of the device alone. 0 if B alone

@@ -106,6 +106,14 @@ bool lower(double& boundary, const std::optional<SweepLimit>& limit) {
   return true;
 }
 
+/// Unknown if one of them is.
+void lower(std::optional<double>& limit, const std::optional<double>& other) {
+  if (!limit || !other)
+    limit.reset();
+  else
+    limit = std::min(*limit, *other);
+}
+
 void add_long_hold(const TuningLine& line, const TuningColumn& column, AxisGains& out) {
   const auto add = [&](const char* reason, std::vector<GainLimit>& places) {
     places.push_back({reason, column.theory_stable, line.kind, line.hand});
@@ -136,6 +144,7 @@ AxisGains gains_at(const TuningResults& results, const Lines& lines, const Profi
                 .passive = infinity,
                 .passive_in_translation = infinity,
                 .released = infinity,
+                .released_any_swing = infinity,
                 .swings = {},
                 .theory = infinity,
                 .limit = {},
@@ -155,6 +164,7 @@ AxisGains gains_at(const TuningResults& results, const Lines& lines, const Profi
         std::min(out.passive_in_translation, column.theory_passive_in_translation);
     out.cycle_lever = std::max(out.cycle_lever, column.cycle_lever);
     out.released = std::min(out.released, column.theory_released);
+    lower(out.released_any_swing, column.theory_released_any_swing);
     if (!results.always_held && std::isfinite(column.theory_released))
       limits.push_back(
           {"released", column.theory_released / stability_margin, line->kind, std::string()});
@@ -216,6 +226,18 @@ bool has_column(const Lines& lines, double damping) {
 }
 
 }  // namespace
+
+LetGo if_let_go(const AxisGains& gains) {
+  if (!(gains.stiffness > 0)) return LetGo::unknown;
+  if (gains.stiffness > gains.released) return LetGo::buzz;
+  if (!gains.released_any_swing)
+    return std::isfinite(gains.released) ? LetGo::no_buzz : LetGo::unknown;
+  return gains.stiffness > *gains.released_any_swing ? LetGo::slow_swing : LetGo::stable;
+}
+
+double largest_if_let_go(const AxisGains& gains) {
+  return std::min(gains.released, gains.released_any_swing.value_or(infinity));
+}
 
 Coupling coupling_of(const AxisGains& gains, const JointGains& joint) {
   Coupling out;

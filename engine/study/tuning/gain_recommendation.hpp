@@ -44,7 +44,10 @@ struct AxisGains {
   double passive = 0;
   double passive_in_translation = 0;  ///< the same with the turn of the handle held
   double cycle_lever = 0;             ///< the largest cycle_lever, at one N/m | N·m/rad
-  double released = 0;                ///< up to which theory predicts stability without a hand
+  /// Up to which theory predicts no buzz without a hand, and no growing swing of any frequency; no
+  /// value for the latter if it is not known in every situation.
+  double released = 0;
+  std::optional<double> released_any_swing;
   bool tried = false;  ///< on the ladder (RestLadder): only gains at which all comes to rest
   double longest_to_rest = 0;   ///< s, at that rung
   std::optional<Swing> swings;  ///< the oscillation at the next rung above, or at the lowest
@@ -55,6 +58,13 @@ struct AxisGains {
 
   double margin() const { return stiffness > 0 ? boundary / stiffness : 0; }
 };
+
+/// What theory says of the handle at these gains if the hand lets go of it. A swing that grows is
+/// unstable, however slow; a buzz is faster than slowest_buzz.
+enum class LetGo { unknown, no_buzz, stable, slow_swing, buzz };
+LetGo if_let_go(const AxisGains& gains);
+/// The least of both limits; of one, if the other is not known.
+double largest_if_let_go(const AxisGains& gains);
 
 /// The gains as a classic coupling; for the object norm, its k.
 Coupling coupling_of(const AxisGains& gains, const JointGains& joint);

@@ -87,6 +87,7 @@ Json json_of(double damping, const TheoryLimits& theory, const StiffnessSweep& s
   return {{"damping", damping},
           {"theory_stable", number_or_null(theory.stable)},
           {"theory_released", number_or_null(theory.released)},
+          {"theory_released_any_swing", number_or_null(theory.released_any_swing)},
           {"theory_passive", number_or_null(theory.passive)},
           {"theory_passive_in_translation", number_or_null(theory.passive_in_translation)},
           {"cycle_lever", theory.cycle_lever},
@@ -271,9 +272,12 @@ void set_base_gains(TuningSetup& setup) {
 TheoryLimits theory_limits(const TuningSetup& setup, GainAxis axis, double share) {
   const SampledContact contact =
       linear_contact(setup, axis, share * range_of(setup, axis).most_damping);
-  return {largest_stable_factor(contact), largest_released_factor(contact),
-          largest_passive_factor(contact), largest_passive_factor_in_translation(contact),
-          cycle_lever(contact)};
+  return {.stable = largest_stable_factor(contact),
+          .released = largest_released_factor(contact),
+          .released_any_swing = largest_released_factor_of_any_swing(contact),
+          .passive = largest_passive_factor(contact),
+          .passive_in_translation = largest_passive_factor_in_translation(contact),
+          .cycle_lever = cycle_lever(contact)};
 }
 
 RestReport hold_until_rest(const TuningSetup& setup, GainAxis axis, double stiffness,

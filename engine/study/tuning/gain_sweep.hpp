@@ -90,8 +90,9 @@ void set_base_gains(TuningSetup& setup);
 /// contact, at `share` of the largest damping: N/m | N·m/rad. Infinite if theory has no limit.
 struct TheoryLimits {
   double stable = 0;
-  double released = 0;  ///< stable without a hand on the handle (largest_released_factor)
-  double passive = 0;   ///< 0: at no stiffness (largest_passive_factor)
+  double released = 0;  ///< no buzz without a hand on the handle (largest_released_factor)
+  double released_any_swing = 0;      ///< the same of any frequency: stable without a hand
+  double passive = 0;                 ///< 0: at no stiffness (largest_passive_factor)
   double passive_in_translation = 0;  ///< the same with the turn held
   double cycle_lever = 0;             ///< cycle_lever at 1 N/m | 1 N·m/rad of the axis
 };

@@ -38,7 +38,7 @@ struct TuningRequest {
                                ///< same times inertia over mass of the device
   /// Recommends gains that are stable only thanks to the profile's friction.
   bool trusts_friction = false;
-  /// Recommends gains at which the handle may buzz when the hand releases it.
+  /// Recommends gains at which the handle may buzz, and so is unstable, when the hand releases it.
   bool always_held = false;
   std::string inputs = "{}";  ///< JSON that identifies the files: names, fingerprints
 };

@@ -47,6 +47,13 @@ Json json_of_swings(const AxisGains& gains, const std::vector<GainLimit>& places
   return out;
 }
 
+/// Null if theory does not say, or says no more than that it does not buzz.
+Json stable_if_let_go(const AxisGains& gains) {
+  const LetGo then = if_let_go(gains);
+  if (then == LetGo::unknown || then == LetGo::no_buzz) return nullptr;
+  return then == LetGo::stable;
+}
+
 Json json_of(const AxisGains& gains) {
   Json limits = Json::array();
   for (const GainLimit& limit : gains.limits) limits.push_back(json_of(limit));
@@ -62,6 +69,9 @@ Json json_of(const AxisGains& gains) {
           {"theory_passive", number_or_null(gains.passive)},
           {"theory_passive_in_translation", number_or_null(gains.passive_in_translation)},
           {"theory_released", number_or_null(gains.released)},
+          {"theory_released_any_swing",
+           gains.released_any_swing ? number_or_null(*gains.released_any_swing) : Json(nullptr)},
+          {"stable_if_let_go", stable_if_let_go(gains)},
           {"cycle_lever", gains.cycle_lever},
           {"longest_to_rest",
            gains.held_at > 0 && gains.tried ? Json(gains.longest_to_rest) : Json(nullptr)},

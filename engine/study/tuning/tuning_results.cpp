@@ -84,6 +84,8 @@ TuningColumn column_of(const Json& json) {
   column.theory_stable = number(json.at("theory_stable"));
   column.theory_passive = number(json.at("theory_passive"));
   column.theory_released = number_if_any(json, "theory_released");
+  if (json.contains("theory_released_any_swing"))
+    column.theory_released_any_swing = number(json.at("theory_released_any_swing"));
   column.theory_passive_in_translation = number_if_any(json, "theory_passive_in_translation");
   column.cycle_lever = json.value("cycle_lever", 0.0);
   column.stable = limit_of(json, "stable");

@@ -28,7 +28,8 @@ struct TuningColumn {
   double theory_passive = 0;
   /// As in TheoryLimits; infinite if a study did not report it.
   double theory_released = infinity, theory_passive_in_translation = infinity;
-  double cycle_lever = 0;  ///< as TheoryLimits
+  std::optional<double> theory_released_any_swing;  ///< no value if a study did not report it
+  double cycle_lever = 0;                           ///< as TheoryLimits
   SweepLimit stable, good;
   /// The stability limits on a device without friction, and at harder_knocks; no value if a study
   /// did not search for them.

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/study/stability/contact_stability.hpp"
 #include "engine/study/tuning/assumptions.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
 #include "engine/study/tuning/tuning.hpp"
@@ -173,12 +174,36 @@ std::vector<std::string> rest_words(const TuningResults& results, const AxisGain
 }
 
 std::string let_go_text(const TuningResults& results, const AxisGains& gains) {
-  if (!(gains.stiffness > 0) || !std::isfinite(gains.released)) return {};
-  const std::string limit = short_text(gains.released) + stiffness_unit(gains.axis);
-  if (gains.stiffness <= gains.released)
-    return "if the hand lets go, the handle does not buzz: in theory it may be up to " + limit;
-  return std::string("if the hand lets go, the handle buzzes: in theory it may be up to ") + limit +
-         (results.always_held ? "; a hand that always holds was asked for" : "");
+  const auto stiffness = [&](double value) {
+    return short_text(value) + stiffness_unit(gains.axis);
+  };
+  const auto up_to = [&](double limit) {
+    return std::isfinite(limit) ? ": in theory it may be up to " + stiffness(limit)
+                                : std::string(" in theory");
+  };
+  const std::string hertz = short_text(slowest_buzz) + " Hz";
+  const std::string then = "if the hand lets go, ";
+  switch (if_let_go(gains)) {
+    case LetGo::unknown:
+      return {};
+    case LetGo::no_buzz:
+      return then + "no swing of " + hertz + " or faster grows" + up_to(gains.released) +
+             "; slower ones were not looked at";
+    case LetGo::stable:
+      return then + "no swing of the handle grows" + up_to(*gains.released_any_swing);
+    case LetGo::slow_swing:
+      return then + "the handle is unstable: in theory a swing slower than " + hertz + " grows" +
+             (*gains.released_any_swing > 0
+                  ? " from " + stiffness(*gains.released_any_swing) + " on"
+                  : " at any stiffness") +
+             ", until a hand comes back" +
+             (std::isfinite(gains.released) ? "; a faster one from " + stiffness(gains.released)
+                                            : "");
+    case LetGo::buzz:
+      return then + "the handle is unstable, and buzzes" + up_to(largest_if_let_go(gains)) +
+             (results.always_held ? "; a hand that always holds was asked for" : "");
+  }
+  return {};
 }
 
 /// If the wrench is a gradient: only the damping can be what leaves no stiffness passive.

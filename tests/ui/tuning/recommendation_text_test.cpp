@@ -114,6 +114,25 @@ TEST(RecommendationText, says_where_the_boundary_without_friction_is_theorys) {
                   .contains("Without friction, up to 1100 N/m in theory."));
 }
 
+TEST(RecommendationText, says_what_the_handle_does_without_a_hand) {
+  TuningResults r = sonde::test::results();
+  r.lines = {line(1, GainAxis::object, {column(0, 1500)})};
+  const auto says = [&](double released, double any_swing, const char* words) {
+    r.lines[0].columns[0].theory_released = released;
+    r.lines[0].columns[0].theory_released_any_swing = any_swing;
+    const QString text = recommendation_text(r, GainAxis::object);
+    EXPECT_TRUE(text.contains(words)) << text.toStdString();
+  };
+  says(4500, 23.4,
+       " Without a hand on the handle it is unstable in theory: a swing slower than 5 Hz grows "
+       "from 23.4 N/m on.");
+  says(4500, 4500, " Without a hand on the handle, no swing grows in theory up to 4500 N/m.");
+  r.always_held = true;
+  says(450, 300,
+       " Without a hand on the handle it is unstable in theory, and buzzes: up to 300 N/m it would "
+       "be stable.");
+}
+
 TEST(RecommendationText, says_why_no_damping_is_best) {
   TuningResults r = sonde::test::results();
   r.mode = Coupling::Mode::classic;

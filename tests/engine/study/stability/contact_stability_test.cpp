@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <numbers>
 
 #include "engine/study/stability/sampled_stability.hpp"
 
@@ -214,11 +216,87 @@ TEST(ContactStability, a_hand_that_lets_go_leaves_the_device_alone) {
   const double alone = largest_stable_stiffness({0.1, 0.5, 0, 1e-3, 1e-3});
   EXPECT_NEAR(largest_released_factor(c) / alone, 1, 3e-4);
   EXPECT_GT(largest_stable_factor(c), 2 * alone);
-  // A flutter of the free directions, too slow to buzz: a curl of 0.5 % of the stiffness.
+  // A flutter of the free directions, too slow to buzz: a curl of 0.5 % of the stiffness. It grows.
   c.stiffness(0, 0) = c.stiffness(1, 1) = 1e-3;
   c.stiffness(0, 1) = 5e-3;
   c.stiffness(1, 0) = -5e-3;
   EXPECT_NEAR(largest_released_factor(c) / alone, 1, 3e-4);
+  EXPECT_LT(largest_released_factor_of_any_swing(c), 0.5 * alone);
+}
+
+/// A force with a curl on a handle m, d that no hand holds, F times of it: with z = x + iy,
+///
+///     m z̈ + d ż + F (k − ic) z = 0,   k = mω²,   c = dω,
+///
+/// which swings for ever at ω for F = 1. More of it grows.
+struct Whirl {
+  double omega = 0;
+  double mass = 0.1, damping = 0.5, sample_time = 1e-4;
+
+  /// The signal is Re exp(st): of the two, the root that swings. Exact also for a sampled force.
+  std::complex<double> s(double F) const {
+    const std::complex<double> K = F * std::complex(mass * omega * omega, -damping * omega);
+    const double e = std::exp(-damping * sample_time / mass), way = (1 - e) * mass / damping;
+    const std::complex<double> trace = 1 + e - K * (sample_time - way) / damping;
+    const std::complex<double> det =
+        e * (1.0 - K * (sample_time - way) / damping) + way * K * (1 - e) / damping;
+    const std::complex<double> root = std::sqrt(trace * trace / 4.0 - det);
+    const std::complex<double> one = std::log(trace / 2.0 + root) / sample_time;
+    const std::complex<double> other = std::log(trace / 2.0 - root) / sample_time;
+    return one.real() > other.real() ? one : other;
+  }
+  /// The least F at which it grows at this rate, 1/s.
+  double limit(double rate) const {
+    double low = 0.5, high = 2;
+    for (int i = 0; i < 50; ++i) {
+      const double middle = (low + high) / 2;
+      (s(middle).real() < rate ? low : high) = middle;
+    }
+    return low;
+  }
+  SampledContact held_by_a_hand() const {
+    SampledContact out;
+    out.device.translation = {.inertia = mass, .damping = damping};
+    out.device.translation.hand_stiffness = 200;
+    out.device.translation.hand_damping = 1;
+    out.device.rotation = {.inertia = 5e-5, .damping = 4e-4};
+    out.sample_time = sample_time;
+    out.stiffness(0, 0) = out.stiffness(1, 1) = mass * omega * omega;
+    out.stiffness(0, 1) = damping * omega;
+    out.stiffness(1, 0) = -damping * omega;
+    return out;
+  }
+};
+
+/// Largest of Re exp(st), late over early.
+double growth_of_signal(std::complex<double> s) {
+  double early = 0, late = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const double size = std::abs(std::exp(s * (i * 1e-3)).real());
+    double& part = i < 2000 ? early : late;
+    part = std::max(part, size);
+  }
+  return late / early;
+}
+
+// Reference: the closed form of a swing that grows, at 1, 3 and 8 Hz.
+TEST(ContactStability, a_swing_that_grows_is_unstable_at_any_frequency) {
+  for (const double hertz : {1.0, 3.0, 8.0}) {
+    const Whirl whirl{.omega = 2 * std::numbers::pi * hertz};
+    // A slow one counts that doubles within a minute; a buzz, if it grows at all (but for
+    // rounding).
+    const bool buzzes = hertz > slowest_buzz;
+    const double limit = whirl.limit(buzzes ? 1e-7 / whirl.sample_time : std::log(2.0) / 60);
+    EXPECT_NEAR(std::abs(whirl.s(limit).imag()) / whirl.omega, 1, 0.05);
+    EXPECT_LT(growth_of_signal(whirl.s(0.95 * limit)), 1);
+    EXPECT_GT(growth_of_signal(whirl.s(1.05 * limit)), 1);
+    const SampledContact contact = whirl.held_by_a_hand();
+    EXPECT_NEAR(largest_released_factor_of_any_swing(contact) / limit, 1, 3e-4) << hertz;
+    if (buzzes)
+      EXPECT_NEAR(largest_released_factor(contact) / limit, 1, 3e-4);
+    else
+      EXPECT_GT(largest_released_factor(contact), 1.5 * limit) << "too slow to buzz: " << hertz;
+  }
 }
 
 }  // namespace

@@ -5,6 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <string>
+#include <utility>
+
 #include "engine/study/tuning/gain_recommendation.hpp"
 #include "engine/study/tuning/tuning_words.hpp"
 #include "tests/engine/study/tuning/made_up_results.hpp"
@@ -69,14 +73,56 @@ TEST(RestLadder, reads_back_as_it_was_written) {
 TEST(RestLadder, a_hand_that_lets_go_caps_unless_it_always_holds) {
   TuningResults r = stable_up_to({1500});
   r.lines[0].columns[0].theory_released = 450;
+  r.lines[0].columns[0].theory_released_any_swing = 450;
   EXPECT_DOUBLE_EQ(recommend(r, GainAxis::object)->stiffness, 450 / stability_margin);
   EXPECT_EQ(recommend(r, GainAxis::object)->limit.reason, "released");
-  EXPECT_THAT(recommendation_in_words(r), Contains(HasSubstr("if the hand lets go, the handle does "
-                                                             "not buzz: in theory it may be up to "
-                                                             "450 N/m")));
+  EXPECT_THAT(recommendation_in_words(r),
+              Contains("if the hand lets go, no swing of the handle grows: in theory it may be up "
+                       "to 450 N/m"));
   r.always_held = true;
   EXPECT_DOUBLE_EQ(recommend(r, GainAxis::object)->stiffness, 1000);
-  EXPECT_THAT(recommendation_in_words(r), Contains(HasSubstr("the handle buzzes")));
+  EXPECT_THAT(recommendation_in_words(r),
+              Contains("if the hand lets go, the handle is unstable, and buzzes: in theory it may "
+                       "be up to 450 N/m; a hand that always holds was asked for"));
+}
+
+TEST(RestLadder, a_slow_swing_that_grows_is_said_to_be_unstable) {
+  TuningResults r = stable_up_to({1500});
+  const auto says = [&](double released, std::optional<double> any_swing) {
+    r.lines[0].columns[0].theory_released = released;
+    r.lines[0].columns[0].theory_released_any_swing = any_swing;
+    EXPECT_DOUBLE_EQ(recommend(r, GainAxis::object)->stiffness, 1000);
+    std::string out;
+    for (const std::string& sentence : recommendation_in_words(r))
+      if (sentence.starts_with("if the hand lets go, ")) out += sentence.substr(21);
+    return std::pair(if_let_go(*recommend(r, GainAxis::object)), out);
+  };
+  using testing::Pair;
+  EXPECT_THAT(says(4500, 23.4),
+              Pair(LetGo::slow_swing,
+                   "the handle is unstable: in theory a swing slower than 5 Hz grows from 23.4 N/m "
+                   "on, until a hand comes back; a faster one from 4500 N/m"));
+  EXPECT_THAT(says(infinity, 0),
+              Pair(LetGo::slow_swing,
+                   "the handle is unstable: in theory a swing slower than 5 Hz grows at any "
+                   "stiffness, until a hand comes back"));
+  EXPECT_THAT(says(4500, 1200), Pair(LetGo::stable,
+                                     "no swing of the handle grows: in theory it may be up to 1200 "
+                                     "N/m"));
+  EXPECT_THAT(says(infinity, infinity),
+              Pair(LetGo::stable, "no swing of the handle grows in theory"));
+  EXPECT_THAT(says(4500, {}), Pair(LetGo::no_buzz,
+                                   "no swing of 5 Hz or faster grows: in theory it may be up to "
+                                   "4500 N/m; slower ones were not looked at"));
+  EXPECT_THAT(says(infinity, {}), Pair(LetGo::unknown, ""));
+}
+
+TEST(RestLadder, what_one_contact_does_not_know_nobody_knows) {
+  TuningResults r = stable_up_to({1500, 3000});
+  r.lines[0].columns[0].theory_released_any_swing = 700;
+  EXPECT_FALSE(recommend(r, GainAxis::object)->released_any_swing);
+  r.lines[1].columns[0].theory_released_any_swing = 600;
+  EXPECT_DOUBLE_EQ(*recommend(r, GainAxis::object)->released_any_swing, 600);
 }
 
 // Reference: a minute of the loop in each contact and hand of the ladder, on the rung recommended.
