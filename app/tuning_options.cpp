@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tuning_options.hpp"
 
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "engine/haptics/safety/borne_gains.hpp"
 #include "engine/study/tuning/tuning_inputs.hpp"
@@ -68,9 +72,17 @@ void note_gains(const Coupling& gains, const DeviceProfile& device, const MassPr
 
 void note_skipped(const Study& study) {
   const auto about = nlohmann::json::parse(study.about);
-  for (const auto& each : about.at("skipped"))
-    std::cerr << "sonde: left out: " << printable(each.at("kind").get<std::string>())
-              << " contact: " << printable(each.at("reason").get<std::string>()) << "\n";
+  std::vector<std::pair<std::string, int>> notes;  // each once, in the order of the study
+  for (const auto& each : about.at("skipped")) {
+    const std::string note = printable(each.at("kind").get<std::string>()) +
+                             " contact: " + printable(each.at("reason").get<std::string>());
+    auto same = std::ranges::find(notes, note, &std::pair<std::string, int>::first);
+    if (same == notes.end()) same = notes.insert(same, {note, 0});
+    ++same->second;
+  }
+  for (const auto& [note, count] : notes)
+    std::cerr << "sonde: left out: " << note
+              << (count > 1 ? " (" + std::to_string(count) + " of these)" : std::string()) << "\n";
 }
 
 }  // namespace sonde::app

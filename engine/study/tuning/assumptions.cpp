@@ -35,9 +35,6 @@ std::map<std::string, Varied> varied_values(const TuningResults& results, GainAx
   return out;
 }
 
-/// A search at other values does not resolve less.
-constexpr double resolved = 1.05;
-
 double worse(const AssumedInterval& interval) {
   return std::min(interval.low.gains.stiffness, interval.high.gains.stiffness);
 }

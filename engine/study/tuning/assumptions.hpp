@@ -21,6 +21,10 @@ struct AssumedInterval {
   std::string kind, hand;  ///< the one situation in which it was varied
 };
 
+/// Recommendations closer than this ratio are the same: a search at other values, or in another
+/// hand, resolves no more.
+constexpr double resolved = 1.05;
+
 /// The least stability limit: at harder knocks or, unless friction is trusted, without friction, if
 /// that is lower. Infinite if nothing was unstable.
 double boundary_that_counts(const TuningResults& results, const AxisGains& gains);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <string_view>
 #include <utility>
 
@@ -109,10 +110,14 @@ std::string why_no_damping(const TuningResults& results, const AxisGains& best) 
          " the stiffness may be " + stiffness_text(*next) + ", " + why(next->limit);
 }
 
+/// What came to rest without friction did so in the engine's contact, which bends and ends.
 std::string beyond_theory(const AxisGains& gains) {
   if (!(gains.stiffness > gains.theory)) return {};
-  return "that is above the limit in theory, which has no friction: " + short_text(gains.theory) +
-         stiffness_unit(gains.axis);
+  const std::string limit = short_text(gains.theory) + stiffness_unit(gains.axis);
+  const std::string theory = "that is above the limit in theory, which has no friction";
+  if (!gains.tried) return theory + ": " + limit;
+  return theory + " and takes the contact as linear: " + limit +
+         "; in the contact as it is, the probe came to rest";
 }
 
 std::string contacts_text(const std::vector<GainLimit>& places) {
@@ -299,13 +304,17 @@ std::string limiting_assumption_text(const TuningResults& results, GainAxis axis
 std::string hands_text(const TuningResults& results, const AxisGains& gains) {
   const auto by_hand = recommend_by_hand(results, gains.axis, gains.damping);
   if (by_hand.size() < 2) return {};
-  std::string out = "how the hand holds is assumed too: alone,";
-  const char* separator = " ";
-  for (const auto& [hand, alone] : by_hand) {
-    out += separator + ("the " + hand + " one allows " + stiffness_text(alone));
-    separator = ", ";
-  }
-  return out;
+  const auto stiffness = [](const auto& each) { return each.second.stiffness; };
+  const auto [least, most] = std::ranges::minmax(by_hand | std::views::transform(stiffness));
+  const std::string tried =
+      gains.limit.reason == "rest" ? ", before what comes to rest is tried" : "";
+  if (most <= resolved * least)
+    return "how the hand holds is assumed too, and does not change the gains: " +
+           stiffness_text(by_hand.begin()->second) + " by the limits of each alone" + tried;
+  std::string out = "how the hand holds is assumed too: by the limits of each alone";
+  for (const auto& [hand, alone] : by_hand)
+    out += ", the " + hand + " one allows " + stiffness_text(alone);
+  return out + tried;
 }
 
 }  // namespace

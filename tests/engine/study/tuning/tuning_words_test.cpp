@@ -163,6 +163,37 @@ TEST(TuningWords, name_the_limiting_assumption_at_both_ends) {
                              "is, 2000 N/m at 5 N, 500 N/m at 20 N"));
 }
 
+TEST(TuningWords, say_whether_the_hand_changes_the_gains) {
+  TuningResults r = stable_up_to({1500});
+  r.lines.push_back(line(0, GainAxis::object, {column(0, 1530)}));
+  r.lines.back().hand = "firm";
+  EXPECT_EQ(recommendation_in_words(r).back(),
+            "how the hand holds is assumed too, and does not change the gains: 1020 N/m by the "
+            "limits of each alone");
+  r.lines.back() = line(0, GainAxis::object, {column(0, 3000)});
+  r.lines.back().hand = "firm";
+  const std::string hands =
+      "how the hand holds is assumed too: by the limits of each alone, the firm one allows 2000 "
+      "N/m, the light one allows 1000 N/m";
+  EXPECT_EQ(recommendation_in_words(r).back(), hands);
+  r.ladder =
+      RestLadder{GainAxis::object, 0, {{900, Swing{"flat", "limp", 0, 4, 2e-3, 31, 700}, 4}}};
+  EXPECT_EQ(recommendation_in_words(r).front(),
+            "no stiffness is good, limited by what comes to rest (flat contact, limp hand)");
+  EXPECT_EQ(recommendation_in_words(r).back(), hands + ", before what comes to rest is tried");
+}
+
+TEST(TuningWords, theory_does_not_deny_what_came_to_rest) {
+  TuningResults r = stable_up_to({1500});
+  r.lines[0].columns[0].theory_stable = 750;
+  r.ladder = RestLadder{GainAxis::object, 0, {{1000, {}, 2}}};
+  EXPECT_THAT(
+      recommendation_in_words(r),
+      testing::Contains("that is above the limit in theory, which has no friction and takes "
+                        "the contact as linear: 750 N/m; in the contact as it is, the "
+                        "probe came to rest"));
+}
+
 // Where the driver's word decides, say, each value may be half or twice what it is assumed to be.
 TEST(TuningWords, name_no_limiting_assumption_where_none_limits) {
   const auto words_with = [](double low, double high) {
