@@ -109,9 +109,15 @@ class Loop {
   bool stable(double factor, double slowest) const {
     return radius(factor, slowest) <= 1 + rounding;
   }
-  /// Whether every oscillation needs at least a minute to double.
-  bool hardly_grows(double factor) const {
-    return radius(factor) <= 1 + std::max(rounding, slowest_growth * contact_.sample_time);
+  /// Whether every swing needs at least a minute to double. What grows by more than e while it
+  /// turns by a radian, to 23 times in half a swing, does not swing but slides away, on a bent way.
+  bool no_swing_grows(double factor) const {
+    const double most = 1 + std::max(rounding, slowest_growth * contact_.sample_time);
+    return std::ranges::none_of(eigenvalues_of(transition(factor)), [&](const auto& value) {
+      const double size = elementary::size(value);
+      const double turn = std::abs(elementary::atan2(value.imag(), value.real()));
+      return size > most && turn > 0 && turn >= elementary::log(size);
+    });
   }
 
  private:
@@ -235,7 +241,7 @@ double largest_released_factor(const SampledContact& contact) {
 
 double largest_released_factor_of_any_swing(const SampledContact& contact) {
   const Loop loop(released(contact));
-  const double factor = largest_factor([&](double each) { return loop.hardly_grows(each); });
+  const double factor = largest_factor([&](double each) { return loop.no_swing_grows(each); });
   return std::min(factor, largest_released_factor(contact));
 }
 

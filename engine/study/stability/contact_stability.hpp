@@ -42,7 +42,8 @@ constexpr double slowest_buzz = 5;
 /// and a handle that nothing presses any more leaves the contact before one has grown.
 double largest_released_factor(const SampledContact& contact);
 /// The same for oscillations of any frequency. They grow if they double within a minute: what takes
-/// longer is too close to rounding to tell. Not above largest_released_factor.
+/// longer is too close to rounding to tell. What grows by more than e while it turns by a radian
+/// slides away, and is left out. Not above largest_released_factor.
 double largest_released_factor_of_any_swing(const SampledContact& contact);
 
 /// The largest factor on K up to which the loop is passive, that is, takes energy out of whatever

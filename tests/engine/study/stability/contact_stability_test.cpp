@@ -299,5 +299,15 @@ TEST(ContactStability, a_swing_that_grows_is_unstable_at_any_frequency) {
   }
 }
 
+// Two directions in which a handle slides away all but equally fast, with next to no curl.
+TEST(ContactStability, sliding_away_on_a_bent_way_is_no_swing) {
+  SampledContact c = contact_with_delay(1e-3);
+  c.stiffness(2, 2) = 1;
+  c.stiffness(0, 0) = c.stiffness(1, 1) = -1e-2;
+  c.stiffness(0, 1) = 1e-4;
+  c.stiffness(1, 0) = -1e-4;
+  EXPECT_NEAR(largest_released_factor_of_any_swing(c) / largest_released_factor(c), 1, 1e-9);
+}
+
 }  // namespace
 }  // namespace sonde
