@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <limits>
 #include <numbers>
 #include <unsupported/Eigen/MatrixFunctions>
@@ -74,13 +73,12 @@ Coast coast(const SimulatedDeviceParameters& device, double time) {
   return {both(0, 0), both(0, 1), both(0, 2), both(1, 0), both(1, 1), both(1, 2)};
 }
 
-/// At forces next to none, where the motions along several axes are all but the same, the real
-/// iteration may not converge, and what it then holds is none. The complex one does.
+/// Where the motions along several axes are all but the same, the iteration may not converge, and
+/// what it then holds are no eigenvalues. Those of the transposed matrix are the same.
 Eigen::VectorXcd eigenvalues_of(const MatrixXd& matrix) {
   const Eigen::EigenSolver<MatrixXd> solver(matrix, false);
   if (solver.info() == Eigen::Success) return solver.eigenvalues();
-  return Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(matrix.cast<std::complex<double>>(), false)
-      .eigenvalues();
+  return Eigen::EigenSolver<MatrixXd>(matrix.transpose(), false).eigenvalues();
 }
 
 /// One sample of the loop, with K times a factor, on (x_k, v_k, x_{k−1}, F_{k−1}, F_{k−2}, ...).
