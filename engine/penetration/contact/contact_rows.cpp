@@ -2,12 +2,15 @@
 #include "engine/penetration/contact/contact_rows.hpp"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <utility>
 
 #include "engine/base/numbers.hpp"
 #include "engine/base/ordering.hpp"
 #include "engine/base/phase_timer.hpp"
 #include "engine/penetration/contact/face_overlap.hpp"
+#include "engine/penetration/contact/separating_axes.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/queries/triangle_batch.hpp"
 
@@ -180,6 +183,7 @@ bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double
   gathered_ = near.reach >= 0 && !effort.is_spent();
   if (!gathered_) return false;
   count_ = 0;
+  has_other_axes_ = false;
   smallest_gap_ = reach_ = near.reach;
   X_ = X;
   turn_ = std::max(contact_tuning.turn_per_reach * reach_ / probe_.mass.radius,
@@ -199,7 +203,7 @@ bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double
 }
 
 bool ContactRows::reuse_rows(const Chart& chart, const Vec6& y) noexcept {
-  if (!gathered_) return false;
+  if (!gathered_ || has_other_axes_) return false;
   const Transform X(chart.pose(y));
   const Vec3& com = probe_.mass.com;
   const double moved = (X * com - X_ * com).norm() + (X.R - X_.R).norm() * probe_.mass.radius;
@@ -218,6 +222,74 @@ void ContactRows::move_rows_with_probe(const Chart& chart, const Vec6& y) noexce
   X_ = X;
   gathered_ = false;
   linearise(chart, y);
+}
+
+Vec6 ContactRows::allowed(Vec6 row) const noexcept {
+  if (method_ == Method::pdt) row.head<3>().setZero();
+  if (onto_) row = (*onto_ * row).eval();
+  return row;
+}
+
+ContactRows::OtherAxes ContactRows::other_axes(std::size_t row, double margin) const noexcept {
+  const Corners a = place(X_, corners(surface(probe_), pair_of_[row].a));
+  const Corners b = corners(surface(fixed_), pair_of_[row].b);
+  const double least = contact_tuning.other_gap * std::min(contacts_[row].gap, margin);
+  OtherAxes out;
+  each_separating_axis(a, b, [&](const Vec3& axis) {
+    for (const double side : {1, -1}) {
+      const Vec3 n = side / axis.norm() * axis;
+      const double gap = gap_along(n, a, b);
+      if (!(gap >= least) || n.dot(contacts_[row].normal) > contact_tuning.same_normal) continue;
+      const Vec3 on_probe = lowest_corner(a, n);
+      out.items[out.size++] = {on_probe, on_probe - gap * n, n, gap, 0};
+    }
+  });
+  return out;
+}
+
+LeastDistance ContactRows::without_row(const LeastDistance& nearest, std::size_t k,
+                                       double margin) noexcept {
+  std::array<int, 6> others{};
+  std::size_t count = 0;
+  for (std::size_t j = 0; j < static_cast<std::size_t>(nearest.active_count); ++j)
+    if (j != k) others[count++] = nearest.active[j];
+  double& bound = rows_[static_cast<std::size_t>(nearest.active[k])].bound;
+  const double own = std::exchange(bound, std::numeric_limits<double>::lowest());
+  LeastDistance out =
+      least_distance({rows_.data(), count_ + rim_}, contact_tuning.solved_to * margin,
+                     std::span(others).first(count));
+  bound = own;
+  return out;
+}
+
+bool ContactRows::replace_blocking_row(const Chart& chart, const Vec6& y,
+                                       const LeastDistance& nearest, double margin,
+                                       double enough) noexcept {
+  const double depth = nearest.y.norm();
+  for (std::size_t k = 0; k < static_cast<std::size_t>(nearest.active_count); ++k) {
+    const auto i = static_cast<std::size_t>(nearest.active[k]);
+    // No way that opens without this row is steeper than its share of the force.
+    const double share = i < count_ ? nearest.multiplier[k] * rows_[i].normal.norm() : 0;
+    if (!(share > contact_tuning.least_slope * depth)) continue;
+    const OtherAxes others = other_axes(i, margin);
+    if (others.size == 0) continue;
+    const Vec6 way = without_row(nearest, k, margin).y - y;
+    if (!((y + way).norm() < depth - enough)) continue;
+    const auto along = [&](const Contact& contact) {
+      return allowed(chart.row(y, contact.on_probe, contact.normal)).dot(way);
+    };
+    const Contact& best =
+        *std::ranges::max_element(std::span(others.items).first(others.size), {}, along);
+    if (!(along(best) > rows_[i].normal.dot(way))) continue;
+    const Contact own = std::exchange(contacts_[i], best);
+    linearise(chart, y, i, i + 1);
+    const Vec6 step = solve(margin, SmallGaps::keep).y - y;
+    const bool is_steep = -y.dot(step) > contact_tuning.least_slope * y.norm() * step.norm();
+    if (is_steep && (y + step).norm() < depth - enough) return has_other_axes_ = true;
+    contacts_[i] = own;
+    linearise(chart, y, i, i + 1);
+  }
+  return false;
 }
 
 bool ContactRows::replace_far_rows(const Chart& chart, const Vec6& y, const LeastDistance& nearest,
@@ -283,10 +355,9 @@ ContactRows::PathCheck ContactRows::add_cuts(const Chart& chart, const Vec6& y,
 void ContactRows::linearise(const Chart& chart, const Vec6& y, std::size_t from,
                             std::size_t to) noexcept {
   for (std::size_t i = from; i < std::min(to, count_); ++i) {
-    rows_[i].normal = chart.row(y, contacts_[i].on_probe, contacts_[i].normal);
-    at_[i] = rows_[i].normal.dot(y);
-    if (method_ == Method::pdt) rows_[i].normal.head<3>().setZero();
-    if (onto_) rows_[i].normal = (*onto_ * rows_[i].normal).eval();
+    const Vec6 row = chart.row(y, contacts_[i].on_probe, contacts_[i].normal);
+    at_[i] = row.dot(y);
+    rows_[i].normal = allowed(row);
   }
   // Near its rim, the chart is a constraint like a contact: a step that would leave it slides on
   // it.

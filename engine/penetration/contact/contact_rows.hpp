@@ -113,6 +113,14 @@ class ContactRows {
   bool replace_far_rows(const Chart& chart, const Vec6& y, const LeastDistance& nearest,
                         double margin) noexcept;
 
+  /// Looks for an active row of a solution whose pair of triangles is also separated by another
+  /// axis, along which it forbids less: the free poses of a pair are the union of the half-spaces
+  /// of its separating axes, and a solution that is the best of one of them need not be the best of
+  /// all. Replaces the first such row that shortens the solution by more than `enough` (m), and
+  /// returns whether there was one; the solution is then no longer valid.
+  bool replace_blocking_row(const Chart& chart, const Vec6& y, const LeastDistance& nearest,
+                            double margin, double enough) noexcept;
+
   /// What solve() requires of a gap that is already smaller than the margin: that it does not
   /// shrink (keep), or that it grows to the margin (widen).
   enum class SmallGaps { keep, widen };
@@ -155,9 +163,19 @@ class ContactRows {
   /// forgets the other kept pairs. Returns the number of pairs with the new ones.
   std::size_t add_kept(const Transform& X, double reach, std::size_t count) noexcept;
   bool is_news(const Contact& contact) const noexcept;
+  /// The part of a row that the method allows.
+  Vec6 allowed(Vec6 row) const noexcept;
+  /// Contacts along the other axes that separate a row's pair: at most both sides of eleven.
+  struct OtherAxes {
+    std::array<Contact, 22> items;
+    std::size_t size = 0;
+  };
+  OtherAxes other_axes(std::size_t row, double margin) const noexcept;
   /// `end`: the pose at the end of the path that the pair obstructs; null: no path is known.
   void add_rows_of(const NearPair& pair, const Transform& X, double flat,
                    const Transform* end = nullptr) noexcept;
+  /// The solution without the k-th of the rows that hold `nearest`.
+  LeastDistance without_row(const LeastDistance& nearest, std::size_t k, double margin) noexcept;
   /// Makes rows of the contacts from index `from` up to `to`, in the chart at y, and the row of the
   /// chart's rim.
   void linearise(const Chart& chart, const Vec6& y, std::size_t from = 0,
@@ -188,7 +206,10 @@ class ContactRows {
   double asked_ = 0;        // m: the reach that the last gather asked for
   double smallest_gap_ = 0;
   double reach_ = 0;
-  Transform X_;            // of the last gather
+  Transform X_;  // of the last gather
+  /// A row was replaced (replace_blocking_row): along its axis, it may forbid elsewhere what the
+  /// pair's own direction does not, so such rows are good for one run only.
+  bool has_other_axes_ = false;
   bool gathered_ = false;  // false: the last gather ran out of effort, or there was none
   PhaseTimes* times_ = nullptr;
   double turn_ = 0;  // rad: largest expected turn of the next step

@@ -47,6 +47,13 @@ struct ContactTuning {
   /// direction of its own closest points, that direction replaces the row's normal. (With 100, a
   /// bore's wall held a rod that was 0.3 µm clear of it and free to leave.)
   double far_from_row = 2;
+  /// Share of min(gap of a row, margin): the least gap along another axis that may replace the
+  /// row's normal. A straight step keeps that gap, and later steps regain the margin.
+  double other_gap = 0.25;
+  /// Of the way that another axis opens: no row is replaced for a less steep fall of |y|. (Of seven
+  /// ticks of a chain's link on another, four stayed held where nothing obstructs a fall of 0.11 to
+  /// 0.16 if the mean slope of the way had to be 0.1; none does with this.)
+  double least_slope = 0.05;
   /// Cosine: of two rows that are this parallel, the nearer may imply the other.
   double same_normal = 1 - 1e-12;
   /// Cosine between a face and the normal: below it, two triangles are seen edge on and have no

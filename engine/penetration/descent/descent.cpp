@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "engine/penetration/descent/descent_tuning.hpp"
 #include "engine/proximity/queries/placement.hpp"
@@ -253,7 +254,8 @@ class Descent::Run {
     // If the run starts at the pose at which the last run ended, the rows are still valid and give
     // the first step. This is so in most ticks.
     bool known = rows_.reuse_rows(chart_, y_);
-    while (look_around(known) && !is_at_end() && advance()) known = false;
+    while (look_around(known) && !went_straight(nearest_.y - y_) && !is_at_end() && advance())
+      known = false;
     // Paths that were cut short cost nothing but time where the descent converged all the same.
     if (!out_.converged) out_.limited += cut_short_;
     return out_;
@@ -261,6 +263,29 @@ class Descent::Run {
 
  private:
   double flat() const { return descent_tuning.flat_within * margin_; }
+
+  /// Of a run that is to, at its first step that leaves the straight way to the origin: moves there
+  /// if that way is free. A row is a half-space, and may forbid a way through a hole or past an
+  /// edge that nothing obstructs; and steps leave room at contacts that a straight way passes by.
+  bool went_straight(const Vec6& step) noexcept {
+    const double along = -step.dot(y_), longest = step.norm() * y_.norm();
+    if (!may_go_straight_ || !(along < (1 - 1e-12) * longest)) return false;
+    may_go_straight_ = false;
+    // In pieces: for one long sweep with a large turn, the bound of the path's curvature is too
+    // loose.
+    const auto pieces = static_cast<int>(1 + chart_.v(y_).norm() / descent_tuning.largest_turn);
+    for (int k = pieces; k > 0; --k) {
+      const Vec6 from = y_ * k / pieces, to = y_ * (k - 1) / pieces;
+      if (descent_.short_sweep_to(chart_, from, to, effort_).hit) return false;
+    }
+    out_.iterations = std::max(out_.iterations, 1);
+    effort_.spend(work_of_step);
+    y_.setZero();
+    out_.contacts = {};
+    out_.held.setZero();
+    out_.move_to(y_);
+    return out_.converged = true;
+  }
 
   /// m: the distance within which rows are gathered.
   double reach() const {
@@ -292,22 +317,32 @@ class Descent::Run {
     return found;
   }
 
+  /// m: a pose this near its optimum counts as the optimum.
+  double enough() const {
+    return std::max(goal_.residual * y_.norm(), descent_tuning.off_in_margins * margin_);
+  }
+
   bool is_settled() const {
     // Not counting what the rim of the chart holds: a descent that ends there is not converged.
     const double off = (out_.held - y_).norm();
-    const double enough =
-        std::max(goal_.residual * y_.norm(), descent_tuning.off_in_margins * margin_);
     // If no row holds the probe, it can move to the device pose, so it is not settled before that,
     // however near that pose is.
-    const bool held = out_.contacts.size > 0 && off <= enough &&
+    const bool held = out_.contacts.size > 0 && off <= enough() &&
                       rows_.smallest_gap() <= descent_tuning.settled_gap * margin_;
     return held || !(off > 0);
   }
 
+  /// Replaces rows that forbid what their pairs do not obstruct. Returns false if there are none.
+  bool replace_rows() noexcept {
+    if (rows_.replace_far_rows(chart_, y_, nearest_, margin_)) return true;
+    if (refuted_ || !rows_.replace_blocking_row(chart_, y_, nearest_, margin_, enough()))
+      return false;
+    return replaced_ = true;
+  }
+
   bool is_at_end() noexcept {
     // A pose that is optimal only because of rows that are no real constraints is not optimal.
-    for (out_.converged = is_settled();
-         out_.converged && rows_.replace_far_rows(chart_, y_, nearest_, margin_);
+    for (out_.converged = is_settled(); out_.converged && replace_rows();
          out_.converged = is_settled())
       solve();
     // At least one step, however late it is: a tick that never moves would never catch up.
@@ -332,7 +367,7 @@ class Descent::Run {
       if (look.clear || effort_.is_spent()) return step;
       if (look.news) {
         solve();
-        out_.converged = is_settled() && !rows_.replace_far_rows(chart_, y_, nearest_, margin_);
+        out_.converged = is_settled() && !replace_rows();
         if (out_.converged) return Vec6::Zero();
       }
       out_.limited += !look.news && rows_.is_full();
@@ -355,9 +390,12 @@ class Descent::Run {
     const Vec6 wanted = step_round_obstacles();
     if (out_.converged) return false;
     if (!(wanted.squaredNorm() > 0)) {
+      refuted_ = refuted_ || replaced_;
+      if (std::exchange(replaced_, false)) return true;
       out_.limited += at_rim(chart_, y_);
       return false;
     }
+    if (went_straight(wanted)) return false;
     const Vec6 step = pace_.damped(wanted);
     const Vec6 target = y_ + step;
     const Sweep swept = descent_.short_sweep_to(chart_, y_, target, effort_);
@@ -367,6 +405,8 @@ class Descent::Run {
     y_ = swept.hit ? Vec6(y_ + swept.free_until * step) : target;
     pace_.learn(step, swept, descent_tuning.nowhere * std::max(margin_, 1e-3 * wanted_),
                 chart_.mass().radius);
+    refuted_ = refuted_ || (replaced_ && pace_.stalled > 0);
+    replaced_ = false;
     if (goal_.far > 0 && !effort_.is_limited() && (y_ - start_).norm() > goal_.far)
       effort_ = {goal_.work_when_far, 0};
     return true;
@@ -393,6 +433,9 @@ class Descent::Run {
   double margin_ = 0;      // m: the gap aimed at, at y_
   LeastDistance nearest_;  // solution of the current rows
   double wanted_ = 0;      // m: length of the first undamped step here
+  bool may_go_straight_ = goal_.straight_first;
+  bool replaced_ = false;  // the step is one that a replaced row allows
+  bool refuted_ = false;   // such a step led nowhere: the rows were right
   int cut_short_ = 0;      // paths whose sweep was given up
   Outcome out_;
 };

@@ -25,6 +25,7 @@ struct DescentGoal {
   /// this far from its start. 0: it stays unlimited, however far the run goes.
   double far = 0;
   std::int64_t work_when_far = 0;  ///< units of Effort, from there on
+  bool straight_first = false;  ///< where rows turn the first step aside, the straight way is tried
   double held_slope = 0;  ///< m: loss of ½|y|² no steeper than this is not `fallen` (Outcome)
 };
 

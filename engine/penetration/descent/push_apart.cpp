@@ -9,6 +9,7 @@
 
 #include "engine/base/ordering.hpp"
 #include "engine/base/phase_timer.hpp"
+#include "engine/penetration/contact/separating_axes.hpp"
 #include "engine/penetration/descent/descent_tuning.hpp"
 #include "engine/penetration/descent/push_apart_tuning.hpp"
 #include "engine/proximity/queries/intersect.hpp"
@@ -24,11 +25,6 @@ struct WayOut {
   double gap = -std::numeric_limits<double>::infinity();
 };
 
-Vec3 lowest(const Corners& t, const Vec3& n) {
-  return *std::min_element(t.begin(), t.end(),
-                           [&](const Vec3& x, const Vec3& y) { return n.dot(x) < n.dot(y); });
-}
-
 WayOut way_apart(const Corners& a, const Corners& b) {
   const ClosestPoints p = closest_points(a, b);
   return {p.normal, p.a, p.gap};
@@ -36,13 +32,13 @@ WayOut way_apart(const Corners& a, const Corners& b) {
 
 /// The separating direction that needs the least displacement.
 WayOut way_out(const Corners& a, const Corners& b, bool solid_a, bool solid_b) {
-  const auto edge = [](const Corners& t, std::size_t i) { return Vec3(t[(i + 1) % 3] - t[i]); };
-  const Vec3 face_a = edge(a, 0).cross(edge(a, 1)).normalized();
-  const Vec3 face_b = edge(b, 0).cross(edge(b, 1)).normalized();
+  const auto face = [](const Corners& t) {
+    return Vec3((t[1] - t[0]).cross(t[2] - t[1]).normalized());
+  };
+  const Vec3 face_a = face(a), face_b = face(b);
   WayOut best;
   const auto look = [&](const Vec3& axis) {
     const double length = axis.norm();
-    if (!(length > 0)) return;
     for (const double side : {1 / length, -1 / length}) {
       const Vec3 n = side * axis;
       if ((solid_b && n.dot(face_b) < -push_apart_tuning.aside) ||
@@ -52,16 +48,8 @@ WayOut way_out(const Corners& a, const Corners& b, bool solid_a, bool solid_b) {
       if (gap > best.gap) best = {n, Vec3::Zero(), gap};
     }
   };
-  look(face_a);
-  look(face_b);
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) {
-      const Vec3 u = edge(a, i), v = edge(b, j);
-      const Vec3 axis = u.cross(v);
-      if (axis.squaredNorm() > push_apart_tuning.parallel * u.squaredNorm() * v.squaredNorm())
-        look(axis);
-    }
-  if (std::isfinite(best.gap)) best.on_probe = lowest(a, best.normal);
+  each_separating_axis(a, b, look);
+  if (std::isfinite(best.gap)) best.on_probe = lowest_corner(a, best.normal);
   return best;
 }
 

@@ -35,7 +35,6 @@ struct PushApartTuning {
   /// that points inwards by no more than this is still allowed, because a direction in the plane of
   /// a face leads neither in nor out.
   double aside = 0.1;
-  double parallel = 1e-12;  ///< squared sine: edges more nearly parallel give no direction
 
   // The compromise between pairs
   /// Times the median: no row asks for a longer way. (A dovetail of 12 triangles, 7 mm aside in its

@@ -247,6 +247,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
     DescentGoal goal;
     if (budget.steps > 0) goal.steps = budget.steps;
     goal.held_slope = bend_of_metric * (moved + s.lag);
+    goal.straight_first = s.last.status == Status::separated;
     goal.far = jump_of_device * s.probe.mass.radius;
     goal.work_when_far = work_after_jump;
     const bool was_limited = effort.is_limited();

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include "engine/penetration/contact/contact_tuning.hpp"
+#include "engine/proximity/triangles/triangle_pair.hpp"
+
+namespace sonde {
+
+/// Calls look(axis) for the axes of the separating-axis theorem of two triangles: their normals and
+/// the cross products of their edges, neither unit nor oriented, none zero. Edges that
+/// are nearly parallel (ContactTuning::parallel_edges) give none.
+template <class Look>
+void each_separating_axis(const Corners& a, const Corners& b, const Look& look) {
+  const auto edge = [](const Corners& t, std::size_t i) { return Vec3(t[(i + 1) % 3] - t[i]); };
+  for (const Corners* t : {&a, &b})
+    if (const Vec3 face = edge(*t, 0).cross(edge(*t, 1)); face.squaredNorm() > 0) look(face);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Vec3 u = edge(a, i), v = edge(b, j), axis = u.cross(v);
+      if (axis.norm() > contact_tuning.parallel_edges * u.norm() * v.norm()) look(axis);
+    }
+}
+
+/// The corner with the least n·x.
+inline const Vec3& lowest_corner(const Corners& t, const Vec3& n) {
+  return *std::min_element(t.begin(), t.end(),
+                           [&](const Vec3& x, const Vec3& y) { return n.dot(x) < n.dot(y); });
+}
+
+}  // namespace sonde
