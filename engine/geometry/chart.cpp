@@ -38,6 +38,13 @@ Pose Chart::pose(const Vec6& y) const {
 
 Vec6 Chart::coordinates(const Pose& X_FM) const {
   Quat turn = q_FP_.conjugate() * (X_FM.q * q_MP_);
+  // The turn about an axis without mass comes first, where it does nothing: the rest has no part
+  // about that axis (swing-twist decomposition).
+  for (int i = 0; i < 3; ++i) {
+    Quat twist(turn.w(), 0, 0, 0);
+    twist.coeffs()[i] = turn.coeffs()[i];
+    if (!(root_[i] > 0) && twist.coeffs()[i] != 0) turn = turn * twist.normalized().conjugate();
+  }
   if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
   Vec6 y;
   y.head<3>() = root_.cwiseProduct(turn.vec());

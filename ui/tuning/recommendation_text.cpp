@@ -93,8 +93,11 @@ QString let_go(const AxisGains& gains) {
     case LetGo::slow_swing:
       return QStringLiteral(
                  " Without a hand on the handle it is unstable in theory: a swing slower than %1 "
-                 "grows from %2 on.")
-          .arg(hertz, with_unit(*gains.released_any_swing, unit));
+                 "grows%2.")
+          .arg(hertz,
+               *gains.released_any_swing > 0
+                   ? QStringLiteral(" from %1 on").arg(with_unit(*gains.released_any_swing, unit))
+                   : QStringLiteral(" at any stiffness"));
     case LetGo::buzz:
       return QStringLiteral(
                  " Without a hand on the handle it is unstable in theory, and buzzes: up to %1 it "

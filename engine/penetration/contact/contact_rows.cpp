@@ -230,23 +230,6 @@ Vec6 ContactRows::allowed(Vec6 row) const noexcept {
   return row;
 }
 
-ContactRows::OtherAxes ContactRows::other_axes(std::size_t row, double margin) const noexcept {
-  const Corners a = place(X_, corners(surface(probe_), pair_of_[row].a));
-  const Corners b = corners(surface(fixed_), pair_of_[row].b);
-  const double least = contact_tuning.other_gap * std::min(contacts_[row].gap, margin);
-  OtherAxes out;
-  each_separating_axis(a, b, [&](const Vec3& axis) {
-    for (const double side : {1, -1}) {
-      const Vec3 n = side / axis.norm() * axis;
-      const double gap = gap_along(n, a, b);
-      if (!(gap >= least) || n.dot(contacts_[row].normal) > contact_tuning.same_normal) continue;
-      const Vec3 on_probe = lowest_corner(a, n);
-      out.items[out.size++] = {on_probe, on_probe - gap * n, n, gap, 0};
-    }
-  });
-  return out;
-}
-
 LeastDistance ContactRows::without_row(const LeastDistance& nearest, std::size_t k,
                                        double margin) noexcept {
   std::array<int, 6> others{};
@@ -271,7 +254,10 @@ bool ContactRows::replace_blocking_row(const Chart& chart, const Vec6& y,
     // No way that opens without this row is steeper than its share of the force.
     const double share = i < count_ ? nearest.multiplier[k] * rows_[i].normal.norm() : 0;
     if (!(share > contact_tuning.least_slope * depth)) continue;
-    const OtherAxes others = other_axes(i, margin);
+    const auto [a, b] = pair_of_[i];
+    const OtherAxes others = other_axes(
+        place(X_, corners(surface(probe_), a)), corners(surface(fixed_), b), contacts_[i].normal,
+        contact_tuning.other_gap * std::min(contacts_[i].gap, margin));
     if (others.size == 0) continue;
     const Vec6 way = without_row(nearest, k, margin).y - y;
     if (!((y + way).norm() < depth - enough)) continue;
@@ -282,12 +268,14 @@ bool ContactRows::replace_blocking_row(const Chart& chart, const Vec6& y,
         *std::ranges::max_element(std::span(others.items).first(others.size), {}, along);
     if (!(along(best) > rows_[i].normal.dot(way))) continue;
     const Contact own = std::exchange(contacts_[i], best);
+    const double bound = rows_[i].bound;
     linearise(chart, y, i, i + 1);
     const Vec6 step = solve(margin, SmallGaps::keep).y - y;
     const bool is_steep = -y.dot(step) > contact_tuning.least_slope * y.norm() * step.norm();
     if (is_steep && (y + step).norm() < depth - enough) return has_other_axes_ = true;
     contacts_[i] = own;
     linearise(chart, y, i, i + 1);
+    rows_[i].bound = bound;
   }
   return false;
 }

@@ -165,12 +165,6 @@ class ContactRows {
   bool is_news(const Contact& contact) const noexcept;
   /// The part of a row that the method allows.
   Vec6 allowed(Vec6 row) const noexcept;
-  /// Contacts along the other axes that separate a row's pair: at most both sides of eleven.
-  struct OtherAxes {
-    std::array<Contact, 22> items;
-    std::size_t size = 0;
-  };
-  OtherAxes other_axes(std::size_t row, double margin) const noexcept;
   /// `end`: the pose at the end of the path that the pair obstructs; null: no path is known.
   void add_rows_of(const NearPair& pair, const Transform& X, double flat,
                    const Transform* end = nullptr) noexcept;
@@ -208,7 +202,7 @@ class ContactRows {
   double reach_ = 0;
   Transform X_;  // of the last gather
   /// A row was replaced (replace_blocking_row): along its axis, it may forbid elsewhere what the
-  /// pair's own direction does not, so such rows are good for one run only.
+  /// pair's own direction does not, so such rows are good until the next gather.
   bool has_other_axes_ = false;
   bool gathered_ = false;  // false: the last gather ran out of effort, or there was none
   PhaseTimes* times_ = nullptr;

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 #include "engine/penetration/contact/contact_tuning.hpp"
+#include "engine/penetration/contact/separation.hpp"
 #include "engine/proximity/triangles/triangle_pair.hpp"
 
 namespace sonde {
@@ -29,5 +31,16 @@ inline const Vec3& lowest_corner(const Corners& t, const Vec3& n) {
   return *std::min_element(t.begin(), t.end(),
                            [&](const Vec3& x, const Vec3& y) { return n.dot(x) < n.dot(y); });
 }
+
+/// Contacts of A and B along their separating axes; at most both sides of eleven.
+struct OtherAxes {
+  std::array<Contact, 22> items;
+  std::size_t size = 0;
+};
+/// The axes along which A and B are apart by at least `least`, m, except one that is parallel to
+/// `normal` (unit, from B to A). The points are those whose motion
+/// changes the gap: of a corner and a face, the corner and its foot; of two edges, the nearest
+/// points of their lines. Two edges of which only A's bounds its triangle give none.
+OtherAxes other_axes(const Corners& a, const Corners& b, const Vec3& normal, double least) noexcept;
 
 }  // namespace sonde

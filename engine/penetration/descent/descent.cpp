@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/penetration/descent/descent_tuning.hpp"
+#include "engine/penetration/descent/pace.hpp"
 #include "engine/proximity/queries/placement.hpp"
 
 namespace sonde {
@@ -52,11 +53,6 @@ double fallen(const Vec6& y, const Vec6& way, double slope) {
   return (steeper - 0.5 * steep) * steep;
 }
 
-Vec6 shortened(const Vec6& step, double longest) {
-  const double size = step.norm();
-  return size > longest ? Vec6(step * (longest / size)) : step;
-}
-
 }  // namespace
 
 double allowed_clearance(double radius, double depth) {
@@ -86,57 +82,6 @@ void Descent::report(Outcome& out, const Vec6& y, const LeastDistance& nearest) 
   out.held = rows_.held_by_contacts(nearest);
   out.move_to(y);
 }
-
-/// Predictions for the next step, from the steps so far.
-struct Descent::Pace {
-  double scale = 0;    ///< m: typical length of a step
-  double bending = 0;  ///< κ, 1/m: how strongly contacts were found to bend into the path
-  /// m: limit of the length of a step, and of the path of any point of the probe, since long ones
-  /// are expensive to sweep. (If the device is half a turn ahead, the path is far longer than the
-  /// step.)
-  double longest = std::numeric_limits<double>::max();
-  /// m: limit of the damped step. Obstacles are still searched for up to the end of the undamped
-  /// step: obstacles there whose rows are missing make the steps oscillate.
-  double damped_to = std::numeric_limits<double>::max();
-  /// m: |y| never rises above this.
-  double ceiling = std::numeric_limits<double>::max();
-  Vec6 last = Vec6::Zero();    ///< the last step, after damping
-  Vec6 wanted = Vec6::Zero();  ///< the last step, before damping
-  double went = 0;             ///< m: the distance it moved
-  int returns = 0;             ///< number of consecutive steps that turned back
-  int stalled = 0;             ///< number of consecutive steps without progress
-
-  /// Steps that undo each other straddle a sharp edge. The wanted step changes about linearly from
-  /// pose to pose, so it vanishes between the last pose and this one, and the step ends there
-  /// (secant method). If secant steps do not settle it, the steps are halved.
-  Vec6 damped(const Vec6& step) {
-    const double size = step.norm();
-    if (!(step.dot(last) < descent_tuning.turns_back * size * last.norm())) {
-      returns = 0;
-      damped_to *= descent_tuning.longest_growth;
-    } else if (went > 0 && ++returns <= descent_tuning.most_secants) {
-      const Vec6 way = last / last.norm();
-      damped_to = size * went / (std::max(0.0, wanted.dot(way)) - step.dot(way));
-    } else {
-      damped_to = 0.5 * std::min({damped_to, size, last.norm()});
-    }
-    wanted = step;
-    return shortened(step, damped_to);
-  }
-  void learn(const Vec6& step, const Sweep& swept, double worth_while, double radius) {
-    const double moved = swept.free_until * step.norm();
-    last = step;
-    went = moved;
-    // A path that was too long to sweep says nothing about progress: the next one is shorter.
-    stalled = moved > worth_while ? 0 : stalled + !swept.given_up;
-    scale = std::max(moved, 0.1 * scale);
-    const bool cut_short = swept.hit && !swept.given_up && swept.free_until < 0.5;
-    bending = cut_short ? std::min(descent_tuning.bending_growth * bending,
-                                   descent_tuning.most_bending / radius)
-                        : std::max(descent_tuning.bending_decay * bending,
-                                   descent_tuning.least_bending / radius);
-  }
-};
 
 Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& nearest,
                         double margin, double rise, const Pace& pace) noexcept {
@@ -256,6 +201,12 @@ class Descent::Run {
     bool known = rows_.reuse_rows(chart_, y_);
     while (look_around(known) && !went_straight(nearest_.y - y_) && !is_at_end() && advance())
       known = false;
+    // What a replaced row would allow does not hold the probe before it has moved there.
+    if (replaced_) {
+      out_.contacts = real_contacts_;
+      out_.held = real_held_;
+      out_.move_to(y_);
+    }
     // Paths that were cut short cost nothing but time where the descent converged all the same.
     if (!out_.converged) out_.limited += cut_short_;
     return out_;
@@ -274,10 +225,17 @@ class Descent::Run {
     // In pieces: for one long sweep with a large turn, the bound of the path's curvature is too
     // loose.
     const auto pieces = static_cast<int>(1 + chart_.v(y_).norm() / descent_tuning.largest_turn);
-    for (int k = pieces; k > 0; --k) {
-      const Vec6 from = y_ * k / pieces, to = y_ * (k - 1) / pieces;
-      if (descent_.short_sweep_to(chart_, from, to, effort_).hit) return false;
-    }
+    const auto is_free = [&](Effort& part) {
+      Vec6 from = y_;
+      for (int left = pieces - 1; left >= 0; --left) {
+        const Vec6 to = y_ * left / pieces;
+        if (descent_.short_sweep_to(chart_, from, to, part).hit) return false;
+        from = to;
+      }
+      return true;
+    };
+    // The rest is for a step, if this is none.
+    if (!effort_.within(0.5, is_free)) return false;
     out_.iterations = std::max(out_.iterations, 1);
     effort_.spend(work_of_step);
     y_.setZero();
@@ -332,19 +290,30 @@ class Descent::Run {
     return held || !(off > 0);
   }
 
-  /// Replaces rows that forbid what their pairs do not obstruct. Returns false if there are none.
-  bool replace_rows() noexcept {
+  /// Replaces a row that forbids what its pair does not obstruct. Returns false if there is none.
+  bool replaces_row() noexcept {
     if (rows_.replace_far_rows(chart_, y_, nearest_, margin_)) return true;
-    if (refuted_ || !rows_.replace_blocking_row(chart_, y_, nearest_, margin_, enough()))
-      return false;
-    return replaced_ = true;
+    if (refuted_) return false;
+    const ContactSet contacts = out_.contacts;
+    const Vec6 held = out_.held;
+    if (!rows_.replace_blocking_row(chart_, y_, nearest_, margin_, enough())) return false;
+    if (!std::exchange(replaced_, true)) real_contacts_ = contacts, real_held_ = held;
+    return true;
+  }
+
+  /// Whether the probe is at an optimum: a pose that is one only because of rows that are no real
+  /// constraints is none.
+  bool settles() noexcept {
+    for (int replaced = 0; is_settled(); ++replaced) {
+      if (!replaces_row()) return true;
+      solve();
+      if (replaced == descent_tuning.most_replaced) break;
+    }
+    return false;
   }
 
   bool is_at_end() noexcept {
-    // A pose that is optimal only because of rows that are no real constraints is not optimal.
-    for (out_.converged = is_settled(); out_.converged && replace_rows();
-         out_.converged = is_settled())
-      solve();
+    out_.converged = settles();
     // At least one step, however late it is: a tick that never moves would never catch up.
     const bool late = out_.iterations > 0 && deadline_.passed();
     if (out_.converged) return true;
@@ -367,7 +336,7 @@ class Descent::Run {
       if (look.clear || effort_.is_spent()) return step;
       if (look.news) {
         solve();
-        out_.converged = is_settled() && !replace_rows();
+        out_.converged = settles();
         if (out_.converged) return Vec6::Zero();
       }
       out_.limited += !look.news && rows_.is_full();
@@ -434,6 +403,8 @@ class Descent::Run {
   LeastDistance nearest_;  // solution of the current rows
   double wanted_ = 0;      // m: length of the first undamped step here
   bool may_go_straight_ = goal_.straight_first;
+  ContactSet real_contacts_;  // before a row was replaced
+  Vec6 real_held_ = Vec6::Zero();
   bool replaced_ = false;  // the step is one that a replaced row allows
   bool refuted_ = false;   // such a step led nowhere: the rows were right
   int cut_short_ = 0;      // paths whose sweep was given up

@@ -12,7 +12,10 @@
 
 namespace sonde {
 
-/// Share of the depth by which a returned pose may stand off its contacts.
+struct Pace;
+
+/// Share of the depth by which a returned pose may stand off its contacts, unless the depth is
+/// below 1e-5 R: there 1e-9 R is the larger.
 inline constexpr double clearance_of_depth = 1e-4;
 /// Largest distance from contact of a returned pose: max(1e-9 R, 1e-4·min(R, depth)), m.
 double allowed_clearance(double radius, double depth);
@@ -98,7 +101,6 @@ class Descent {
   Sweep sweep_to(const Chart& chart, const Vec6& y, const Vec6& target, Effort& effort) noexcept;
 
  private:
-  struct Pace;
   class Run;
   /// m: the gap at which the descent aims. It always exceeds the rounding of coordinates, which
   /// grows with the distance from the origin.

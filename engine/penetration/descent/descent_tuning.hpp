@@ -13,9 +13,10 @@ namespace sonde {
 struct DescentTuning {
   /// |v| of a pose: no descent begins beyond it (179.98°), since the chart ends at 1. None turns
   /// further than Chart::largest_v, or than where it began. (With 0.9, the best separations of four
-  /// of the 16 dovetails of deep_tuning.csv, which turn by 138 to 150°, are never found. A plug that
-  /// is the wrong way round in its socket turns back by all but its play: with 0.99999, 179.5°, one
-  /// of seven keyed plugs with a play of 0.6° was answered 2.3 times as deep from there on.)
+  /// of the 16 dovetails of deep_tuning.csv, which turn by 138 to 150°, are never found. A plug
+  /// that is the wrong way round in its socket turns back by all but its play: with 0.99999,
+  /// 179.5°, one of seven keyed plugs with a play of 0.6° was answered 2.3 times as deep from there
+  /// on.)
   double largest_start_v = 0.99999999;
 
   // Each step
@@ -26,6 +27,9 @@ struct DescentTuning {
   /// inside. (On crumpled-soup, one tick did not converge with 0.001 to 0.1, and 189 with 0.5; 178
   /// did not if every such step slid along the rim.)
   double least_way_to_rim = 0.1;
+  /// Maximum number of rows that are replaced at one pose. (More than a few do not occur; two rules
+  /// that undo each other would go on for ever.)
+  int most_replaced = 16;
   /// Maximum number of times that a step is recomputed to avoid obstacles on its path. After that,
   /// a swept step goes as far as its path is free, and a leap is not made; this is counted in
   /// Outcome::limited.

@@ -83,6 +83,11 @@ struct CoherentSolver::State {
     last.separated = chart.pose(Vec6::Zero());
   }
 
+  /// Also after a tick that was refused, which says nothing of the pose.
+  bool was_free() const noexcept {
+    return separated.p == device.p && separated.q.coeffs() == device.q.coeffs();
+  }
+
   /// The device's motion, m, which limits by how much the depth may fall without a jump: √σ; with
   /// translation only, the largest motion of any point of the probe.
   double device_motion(const Pose& to) const noexcept {
@@ -247,7 +252,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
     DescentGoal goal;
     if (budget.steps > 0) goal.steps = budget.steps;
     goal.held_slope = bend_of_metric * (moved + s.lag);
-    goal.straight_first = s.last.status == Status::separated;
+    goal.straight_first = s.was_free();
     goal.far = jump_of_device * s.probe.mass.radius;
     goal.work_when_far = work_after_jump;
     const bool was_limited = effort.is_limited();

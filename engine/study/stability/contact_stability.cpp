@@ -78,7 +78,10 @@ Coast coast(const SimulatedDeviceParameters& device, double time) {
 Eigen::VectorXcd eigenvalues_of(const MatrixXd& matrix) {
   const Eigen::EigenSolver<MatrixXd> solver(matrix, false);
   if (solver.info() == Eigen::Success) return solver.eigenvalues();
-  return Eigen::EigenSolver<MatrixXd>(matrix.transpose(), false).eigenvalues();
+  const Eigen::EigenSolver<MatrixXd> transposed(matrix.transpose(), false);
+  if (transposed.info() == Eigen::Success) return transposed.eigenvalues();
+  return Eigen::VectorXcd::Constant(
+      matrix.rows(), std::numeric_limits<double>::infinity());  // not known to be stable
 }
 
 /// One sample of the loop, with K times a factor, on (x_k, v_k, x_{k−1}, F_{k−1}, F_{k−2}, ...).

@@ -83,12 +83,8 @@ std::vector<AssumedInterval> assumed_intervals(const TuningResults& results, Gai
 }
 
 bool change_gains(const std::vector<AssumedInterval>& intervals) {
-  double least = infinity, most = 0;
-  for (const AssumedInterval& each : intervals) {
-    least = std::min(least, worse(each));
-    most = std::max(most, better(each));
-  }
-  return most > resolved * least;
+  return std::ranges::any_of(
+      intervals, [](const AssumedInterval& each) { return better(each) > resolved * worse(each); });
 }
 
 std::string unit_of(const AssumedInterval& interval) {

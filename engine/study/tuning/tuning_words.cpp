@@ -308,9 +308,10 @@ std::string hands_text(const TuningResults& results, const AxisGains& gains) {
   const auto [least, most] = std::ranges::minmax(by_hand | std::views::transform(stiffness));
   const std::string tried =
       gains.limit.reason == "rest" ? ", before what comes to rest is tried" : "";
+  const auto weakest = std::ranges::min_element(by_hand, {}, stiffness);
   if (most <= resolved * least)
     return "how the hand holds is assumed too, and does not change the gains: " +
-           stiffness_text(by_hand.begin()->second) + " by the limits of each alone" + tried;
+           stiffness_text(weakest->second) + " by the limits of each alone" + tried;
   std::string out = "how the hand holds is assumed too: by the limits of each alone";
   for (const auto& [hand, alone] : by_hand)
     out += ", the " + hand + " one allows " + stiffness_text(alone);

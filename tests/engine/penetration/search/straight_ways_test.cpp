@@ -8,8 +8,8 @@
 #include <random>
 #include <vector>
 
-#include "engine/sonde.hpp"
 #include "engine/penetration/search/coherent.hpp"
+#include "engine/sonde.hpp"
 #include "tests/engine/penetration/ways_down.hpp"
 #include "tests/support/fitted_parts.hpp"
 #include "tests/support/shapes.hpp"

@@ -168,7 +168,7 @@ TEST(TuningWords, say_whether_the_hand_changes_the_gains) {
   r.lines.push_back(line(0, GainAxis::object, {column(0, 1530)}));
   r.lines.back().hand = "firm";
   EXPECT_EQ(recommendation_in_words(r).back(),
-            "how the hand holds is assumed too, and does not change the gains: 1020 N/m by the "
+            "how the hand holds is assumed too, and does not change the gains: 1000 N/m by the "
             "limits of each alone");
   r.lines.back() = line(0, GainAxis::object, {column(0, 3000)});
   r.lines.back().hand = "firm";

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/contact/separating_axes.hpp"
+
+#include <cmath>
+
+namespace sonde {
+namespace {
+
+/// Share of a gap: corners whose heights differ by less are equally low.
+constexpr double as_low = 1e-6;
+
+Vec3 edge(const Corners& t, std::size_t i) { return t[(i + 1) % 3] - t[i]; }
+
+class Axes {
+ public:
+  Axes(const Corners& a, const Corners& b, const Vec3& normal, double least)
+      : a_(a), b_(b), normal_(normal), least_(least) {}
+
+  OtherAxes find() {
+    for (const double side : {1, -1}) {
+      // The plane of B stays as the probe moves, and its lowest corner is the nearest to it. The
+      // plane of A goes with the probe, and the corner of B below it stays.
+      if (const Vec3 n = side * unit(edge(b_, 0).cross(edge(b_, 1))); n.squaredNorm() > 0)
+        add(n, lowest_corner(a_, n));
+      if (const Vec3 n = side * unit(edge(a_, 0).cross(edge(a_, 1))); n.squaredNorm() > 0)
+        add(n, lowest_corner(b_, -n) + gap_along(n, a_, b_) * n);
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) add_edges(i, j);
+    return out_;
+  }
+
+ private:
+  static Vec3 unit(const Vec3& v) { return v.squaredNorm() > 0 ? v.normalized() : v; }
+
+  void add(const Vec3& n, const Vec3& on_probe) {
+    const double gap = gap_along(n, a_, b_);
+    if (!(gap >= least_) || n.dot(normal_) > contact_tuning.same_normal) return;
+    out_.items[out_.size++] = {on_probe, on_probe - gap * n, n, gap, 0};
+  }
+
+  /// The two edges move apart at the rate of the nearest points of their lines, if both triangles
+  /// end in them. If neither does, the plane through B's highest corner stays as it is.
+  void add_edges(std::size_t i, std::size_t j) {
+    const Vec3 u = edge(a_, i), v = edge(b_, j), axis = u.cross(v);
+    if (!(axis.norm() > contact_tuning.parallel_edges * u.norm() * v.norm())) return;
+    for (const double side : {1, -1}) {
+      const Vec3 n = side * axis.normalized();
+      const double gap = gap_along(n, a_, b_), same = as_low * std::abs(gap);
+      const Vec3 low = lowest_corner(a_, n), high = lowest_corner(b_, -n);
+      const bool ends_a = n.dot(a_[i] - low) <= same, ends_b = n.dot(high - b_[j]) <= same;
+      if (!ends_a) add(n, low);
+      if (!ends_a || !ends_b) continue;
+      // (a + s u − b) is along n + v: the part of it across both is 0.
+      const double s = (b_[j] - a_[i]).cross(v).dot(axis) / axis.squaredNorm();
+      add(n, a_[i] + s * u);
+    }
+  }
+
+  const Corners& a_;
+  const Corners& b_;
+  const Vec3& normal_;
+  double least_;
+  OtherAxes out_;
+};
+
+}  // namespace
+
+OtherAxes other_axes(const Corners& a, const Corners& b, const Vec3& normal,
+                     double least) noexcept {
+  return Axes(a, b, normal, least).find();
+}
+
+}  // namespace sonde

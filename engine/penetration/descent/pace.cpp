@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/descent/pace.hpp"
+
+#include <algorithm>
+
+#include "engine/penetration/descent/descent_tuning.hpp"
+
+namespace sonde {
+
+Vec6 shortened(const Vec6& step, double longest) {
+  const double size = step.norm();
+  return size > longest ? Vec6(step * (longest / size)) : step;
+}
+
+Vec6 Pace::damped(const Vec6& step) noexcept {
+  const double size = step.norm();
+  if (!(step.dot(last) < descent_tuning.turns_back * size * last.norm())) {
+    returns = 0;
+    damped_to *= descent_tuning.longest_growth;
+  } else if (went > 0 && ++returns <= descent_tuning.most_secants) {
+    const Vec6 way = last / last.norm();
+    damped_to = size * went / (std::max(0.0, wanted.dot(way)) - step.dot(way));
+  } else {
+    damped_to = 0.5 * std::min({damped_to, size, last.norm()});
+  }
+  wanted = step;
+  return shortened(step, damped_to);
+}
+
+void Pace::learn(const Vec6& step, const Sweep& swept, double worth_while, double radius) noexcept {
+  const double moved = swept.free_until * step.norm();
+  last = step;
+  went = moved;
+  // A path that was too long to sweep says nothing about progress: the next one is shorter.
+  stalled = moved > worth_while ? 0 : stalled + !swept.given_up;
+  scale = std::max(moved, 0.1 * scale);
+  const bool cut_short = swept.hit && !swept.given_up && swept.free_until < 0.5;
+  bending =
+      cut_short
+          ? std::min(descent_tuning.bending_growth * bending, descent_tuning.most_bending / radius)
+          : std::max(descent_tuning.bending_decay * bending, descent_tuning.least_bending / radius);
+}
+
+}  // namespace sonde

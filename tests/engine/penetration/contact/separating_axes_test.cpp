@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/contact/separating_axes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "engine/proximity/triangles/triangle_pair.hpp"
+
+namespace sonde {
+namespace {
+
+Corners random_triangle(std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  Corners out;
+  for (Vec3& corner : out)
+    for (double& x : corner) x = normal(random);
+  return out;
+}
+
+double largest_gap(const Corners& a, const Corners& b) {
+  double out = -std::numeric_limits<double>::infinity();
+  each_separating_axis(a, b, [&](const Vec3& axis) {
+    const Vec3 n = axis.normalized();
+    out = std::max({out, gap_along(n, a, b), gap_along(-n, a, b)});
+  });
+  return out;
+}
+
+// Reference: CGAL's exact predicate; triangles in general position are apart exactly if an axis of
+// the theorem separates them.
+TEST(SeparatingAxes, one_of_them_separates_what_is_apart_and_none_what_meets) {
+  std::mt19937_64 random(3);
+  int apart = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Corners a = random_triangle(random), b = random_triangle(random);
+    apart += !meet_exactly(a, b);
+    EXPECT_EQ(largest_gap(a, b) > 0, !meet_exactly(a, b)) << i;
+  }
+  EXPECT_GT(apart, 500);
+  EXPECT_LT(apart, 1900);
+}
+
+TEST(SeparatingAxes, parallel_edges_and_triangles_without_area_give_no_zero_axis) {
+  const Corners flat{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)},
+      needle{Vec3(0, 0, 1), Vec3(1, 0, 1), Vec3(2, 0, 1)};
+  int axes = 0;
+  each_separating_axis(flat, needle, [&](const Vec3& axis) {
+    ++axes;
+    EXPECT_GT(axis.norm(), 0);
+  });
+  EXPECT_EQ(axes, 1 + 2 * 3) << "one face; two of three edges are not parallel to the needle";
+}
+
+// Reference: by hand. A corner above a face, near one of its edges.
+TEST(SeparatingAxes, a_corner_beside_an_edge_is_apart_along_others_than_the_face_s_normal) {
+  const Corners face{Vec3(-1, -1, 0), Vec3(0, -1, 0), Vec3(0, 1, 0)};  // an edge along x = 0
+  const Corners corner{Vec3(-1e-6, 0, 3e-6), Vec3(1, -1, 1), Vec3(1, 1, 1)};
+  const OtherAxes others = other_axes(corner, face, Vec3::UnitZ(), 1e-6);
+  ASSERT_GT(others.size, 0u);
+  for (std::size_t i = 0; i < others.size; ++i) {
+    const Contact& other = others.items[i];
+    EXPECT_GE(other.gap, 1e-6);
+    EXPECT_NEAR(other.gap, gap_along(other.normal, corner, face), 1e-15);
+    EXPECT_NEAR((other.on_probe - other.on_fixed - other.gap * other.normal).norm(), 0, 1e-15);
+    EXPECT_EQ(other.on_probe, corner[0]) << "the lowest corner along each of them";
+    EXPECT_LT(other.normal.z(), 1 - 1e-6);
+  }
+  EXPECT_EQ(other_axes(corner, face, Vec3::UnitZ(), 4e-6).size, 0u) << "none by more than it is";
+}
+
+}  // namespace
+}  // namespace sonde
