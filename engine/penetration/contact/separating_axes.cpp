@@ -9,8 +9,6 @@ namespace {
 /// Share of a gap: corners whose heights differ by less are equally low.
 constexpr double as_low = 1e-6;
 
-Vec3 edge(const Corners& t, std::size_t i) { return t[(i + 1) % 3] - t[i]; }
-
 class Axes {
  public:
   Axes(const Corners& a, const Corners& b, const Vec3& normal, double least)
@@ -31,6 +29,7 @@ class Axes {
   }
 
  private:
+  static Vec3 edge(const Corners& t, std::size_t i) { return t[(i + 1) % 3] - t[i]; }
   static Vec3 unit(const Vec3& v) { return v.squaredNorm() > 0 ? v.normalized() : v; }
 
   void add(const Vec3& n, const Vec3& on_probe) {
