@@ -104,6 +104,29 @@ TEST(Chart, a_row_is_the_derivative_of_the_contact_along_its_normal) {
     }
 }
 
+// Reference: the points of a needle's axis, which are all of its mass: they are where they were,
+// however it is turned about that axis, up to turns of nearly half a turn.
+TEST(Chart, a_needle_s_axis_is_where_its_coordinates_say) {
+  std::mt19937_64 random(9);
+  MassProperties needle;
+  needle.inertia = {1, 1, 0};
+  needle.radius = 2;
+  needle.com = {0.1, -0.2, 0.3};
+  const Vec3 axis = needle.R_MP.col(2);
+  for (int i = 0; i < 200; ++i) {
+    const Chart chart(needle, any_pose(random, 2));
+    const Pose X = any_pose(random, 2);
+    const Vec6 y = chart.coordinates(X);
+    EXPECT_EQ(y[2], 0);
+    if (chart.v(y).norm() > 0.999) continue;
+    const Pose back = chart.pose(y);
+    for (const double along : {-1.0, 2.0}) {
+      const Vec3 point = needle.com + along * axis;
+      EXPECT_LT((back * point - X * point).norm(), 1e-12);
+    }
+  }
+}
+
 // A probe on a line: turning about it moves nothing, and is left out.
 TEST(Chart, an_axis_without_inertia) {
   MassProperties mass;
