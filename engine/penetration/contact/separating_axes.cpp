@@ -18,9 +18,9 @@ class Axes {
     for (const double side : {1, -1}) {
       // The plane of B stays as the probe moves, and its lowest corner is the nearest to it. The
       // plane of A goes with the probe, and the corner of B below it stays.
-      if (const Vec3 n = side * unit(edge(b_, 0).cross(edge(b_, 1))); n.squaredNorm() > 0)
+      if (const Vec3 n = side * unit(edge_of(b_, 0).cross(edge_of(b_, 1))); n.squaredNorm() > 0)
         add(n, lowest_corner(a_, n));
-      if (const Vec3 n = side * unit(edge(a_, 0).cross(edge(a_, 1))); n.squaredNorm() > 0)
+      if (const Vec3 n = side * unit(edge_of(a_, 0).cross(edge_of(a_, 1))); n.squaredNorm() > 0)
         add(n, lowest_corner(b_, -n) + gap_along(n, a_, b_) * n);
     }
     for (std::size_t i = 0; i < 3; ++i)
@@ -29,7 +29,6 @@ class Axes {
   }
 
  private:
-  static Vec3 edge(const Corners& t, std::size_t i) { return t[(i + 1) % 3] - t[i]; }
   static Vec3 unit(const Vec3& v) { return v.squaredNorm() > 0 ? v.normalized() : v; }
 
   void add(const Vec3& n, const Vec3& on_probe) {
@@ -41,7 +40,7 @@ class Axes {
   /// The two edges move apart at the rate of the nearest points of their lines, if both triangles
   /// end in them. If neither does, the plane through B's highest corner stays as it is.
   void add_edges(std::size_t i, std::size_t j) {
-    const Vec3 u = edge(a_, i), v = edge(b_, j), axis = u.cross(v);
+    const Vec3 u = edge_of(a_, i), v = edge_of(b_, j), axis = u.cross(v);
     if (!(axis.norm() > contact_tuning.parallel_edges * u.norm() * v.norm())) return;
     for (const double side : {1, -1}) {
       const Vec3 n = side * axis.normalized();

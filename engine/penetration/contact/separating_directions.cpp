@@ -8,11 +8,10 @@
 
 #include "engine/base/numbers.hpp"
 #include "engine/penetration/contact/contact_tuning.hpp"
+#include "engine/penetration/contact/separating_axes.hpp"
 
 namespace sonde {
 namespace {
-
-Vec3 edge(const Corners& t, std::size_t i) { return t[(i + 1) % 3] - t[i]; }
 
 /// The gaps of a pair along n and along −n.
 struct Gaps {
@@ -31,7 +30,7 @@ template <class Visit>
 bool any_edges(const TouchingPair& pair, const Visit& visit) {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
-      const Vec3 u = edge(pair.a, i), v = edge(pair.b, j), axis = u.cross(v);
+      const Vec3 u = edge_of(pair.a, i), v = edge_of(pair.b, j), axis = u.cross(v);
       if (axis.norm() > contact_tuning.parallel_edges * u.norm() * v.norm() && visit(axis))
         return true;
     }
@@ -40,8 +39,8 @@ bool any_edges(const TouchingPair& pair, const Visit& visit) {
 template <class Visit>
 bool any_in_plane(const TouchingPair& pair, const Visit& visit) {
   for (std::size_t i = 0; i < 3; ++i)
-    if (visit(Vec3(edge(pair.a, i).cross(pair.face_a))) ||
-        visit(Vec3(edge(pair.b, i).cross(pair.face_b))))
+    if (visit(Vec3(edge_of(pair.a, i).cross(pair.face_a))) ||
+        visit(Vec3(edge_of(pair.b, i).cross(pair.face_b))))
       return true;
   return false;
 }
@@ -154,8 +153,8 @@ class Cover {
 }  // namespace
 
 TouchingPair touching_pair(const Corners& a, const Corners& b) {
-  return {a, b, edge(a, 0).cross(edge(a, 1)).stableNormalized(),
-          edge(b, 0).cross(edge(b, 1)).stableNormalized()};
+  return {a, b, edge_of(a, 0).cross(edge_of(a, 1)).stableNormalized(),
+          edge_of(b, 0).cross(edge_of(b, 1)).stableNormalized()};
 }
 
 double overlap_of(const TouchingPair& pair, double enough) {

@@ -238,6 +238,7 @@ class Descent::Run {
     if (!effort_.within(0.5, is_free)) return false;
     out_.iterations = std::max(out_.iterations, 1);
     effort_.spend(work_of_step);
+    replaced_ = false;  // nothing holds the probe
     y_.setZero();
     out_.contacts = {};
     out_.held.setZero();

@@ -57,7 +57,7 @@ TEST(FineFits, a_keyed_plug_turns_back_into_its_bore_from_half_a_turn) {
   for (const test::Section& section : keyed)
     for (const double degrees : {165.0, 172.0, 178.0, 179.6, 180.0})
       found += turns_back(section, 2e-4, 0.02, turned(degrees));
-  EXPECT_GE(found, 14) << "one may be missed by its seed; 9 with pushes in the device's chart";
+  EXPECT_GE(found, 14) << "one may be missed by its seed; 7 with pushes in the device's chart";
 }
 
 TEST(FineFits, a_plug_that_is_the_wrong_way_round_turns_back) {
@@ -75,7 +75,7 @@ TEST(FineFits, a_plug_that_is_the_wrong_way_round_turns_back) {
   for (const test::Section* section : {&flat_on_one_side, &pentagon, &angle})
     for (const double degrees : {171.0, 175.0, 180.0})
       found += turns_back(*section, 3e-4, 0.03, turned(degrees));
-  EXPECT_GE(found, 9);
+  EXPECT_EQ(found, 9) << "3 with pushes in the device's chart";
 }
 
 }  // namespace
