@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <string_view>
 #include <utility>
 
@@ -305,11 +304,10 @@ std::string hands_text(const TuningResults& results, const AxisGains& gains) {
   const auto by_hand = recommend_by_hand(results, gains.axis, gains.damping);
   if (by_hand.size() < 2) return {};
   const auto stiffness = [](const auto& each) { return each.second.stiffness; };
-  const auto [least, most] = std::ranges::minmax(by_hand | std::views::transform(stiffness));
+  const auto [weakest, stiffest] = std::ranges::minmax_element(by_hand, {}, stiffness);
   const std::string tried =
       gains.limit.reason == "rest" ? ", before what comes to rest is tried" : "";
-  const auto weakest = std::ranges::min_element(by_hand, {}, stiffness);
-  if (most <= resolved * least)
+  if (stiffness(*stiffest) <= resolved * stiffness(*weakest))
     return "how the hand holds is assumed too, and does not change the gains: " +
            stiffness_text(weakest->second) + " by the limits of each alone" + tried;
   std::string out = "how the hand holds is assumed too: by the limits of each alone";
