@@ -189,6 +189,21 @@ FittedScene screwed(const std::string& name, const Thread& thread, double room, 
           bolt(thread, 4.5 * thread.lead), path};
 }
 
+/// A straight channel along y in a block: from half `floor` (m) wide at z = 0 to half `mouth` at z
+/// = `top`. Without a floor, a groove.
+PolygonSoup channel(double floor, double mouth, double top, double length) {
+  const double under = 0.5 * top, half = 1.5 * mouth;
+  // About a point in the block, from which all of its section is seen.
+  Section section{{-half, -under}, {half, -under}, {half, top + under}, {mouth, top + under}};
+  if (floor > 0) section.emplace_back(floor, under);
+  section.emplace_back(-floor, under);
+  section.emplace_back(-mouth, top + under);
+  section.emplace_back(-half, top + under);
+  PolygonSoup out = fitted_plug(section, length / 2, {});
+  for (Vec3& x : out.points) x = Vec3(x.x(), -x.z(), x.y() - under);
+  return out;
+}
+
 /// On the face z = 0 of a plate.
 PolygonSoup studs(const Studs& of, double plate) {
   PolygonSoup out;
@@ -252,6 +267,21 @@ std::vector<FittedScene> joint_scenes() {
            {20 * milli, -0.2 * milli, 0.8 * milli, 0.1, 32});
   add_ball("ball, coarse, 3 %", 8 * milli, 0.24 * milli, 15, 12, 18, -1 * milli,
            {12 * milli, -0.6 * milli, 2 * milli, 0.5, 33});
+  // They roll on few corners and edges, which curve about as strongly as the way out is long.
+  const auto add_egg = [&](const std::string& name, const Vec3& half, int sides, int rings,
+                           const PolygonSoup& fixed, const FittedPath& path) {
+    out.push_back({name, sphere(1, rings + 1, sides), fixed, path});
+    for (Vec3& x : out.back().probe.points) x = x.cwiseProduct(half);
+  };
+  add_egg("ball of 16 in a groove", Vec3::Constant(20 * milli), 16, 10,
+          channel(0, 35 * milli, 35 * milli, 160 * milli),
+          {60 * milli, 20 * milli, 6 * milli, 1, 34});
+  add_egg("ball of 10 in a steep groove", Vec3::Constant(9 * milli), 10, 7,
+          channel(0, 9 * milli, 16 * milli, 60 * milli),
+          {34 * milli, 14 * milli, 3 * milli, 1.2, 35});
+  add_egg("egg of 13 in a channel", {12 * milli, 9 * milli, 15 * milli}, 13, 8,
+          channel(4 * milli, 15 * milli, 14 * milli, 80 * milli),
+          {40 * milli, 10 * milli, 3 * milli, 0.8, 36});
   const auto add_studs = [&](const std::string& name, const Studs& of, double room,
                              const FittedPath& path) {
     out.push_back({name, studs(of, 3 * milli), wells(of, room, 3 * milli), path});

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/penetration/descent/chart_rim.hpp"
 #include "engine/penetration/descent/descent_tuning.hpp"
 #include "engine/penetration/descent/pace.hpp"
 #include "engine/proximity/queries/placement.hpp"
@@ -15,34 +16,6 @@ namespace {
 
 /// Cost of a step in units of Effort, besides what is counted where it is spent.
 constexpr int work_of_step = 500;
-
-/// The fraction of the straight line from one turn to another, both as v, where |v| is `limit`.
-double part_to_rim(const Vec3& from, const Vec3& to, double limit) {
-  const Vec3 along = to - from;
-  const double a = along.squaredNorm(), b = from.dot(along);
-  const double c = from.squaredNorm() - limit * limit;
-  return a > 0 ? (std::sqrt(std::max(0.0, b * b - a * c)) - b) / a : 0;
-}
-
-/// Limits the turn of a step. A step that would leave the chart ends at the rim, where the rim is a
-/// row. A step from the rim itself slides along it, to the rim point in the direction of its end;
-/// other rows may be violated on that path.
-Vec6 within_chart(const Chart& chart, const Vec6& y, const Vec6& step) {
-  const double turn = chart.v(step).norm();
-  Vec6 bounded = std::min(1.0, descent_tuning.largest_turn / std::max(turn, 1e-30)) * step;
-  Vec6 target = y + bounded;
-  const Vec3 from = chart.v(y), to = chart.v(target);
-  const double limit = std::max(Chart::largest_v, from.norm());
-  if (to.norm() <= limit) return bounded;
-  const double part = part_to_rim(from, to, limit);
-  if (part > descent_tuning.least_way_to_rim) return part * bounded;
-  target.head<3>() *= limit / to.norm();
-  return target - y;
-}
-
-bool at_rim(const Chart& chart, const Vec6& y) {
-  return chart.v(y).norm() > (1 - 1e-6) * Chart::largest_v;
-}
 
 /// m²: the decrease of ½|y|² from y along the straight motion `way`, where it falls more steeply
 /// than `slope` (m).
@@ -352,6 +325,16 @@ class Descent::Run {
     return step;
   }
 
+  /// The step and those that are to follow it in its direction, if nothing is in their way that the
+  /// rows do not know.
+  Vec6 with_those_to_come(const Vec6& step) noexcept {
+    const std::optional<Vec6> all = pace_.extrapolated(y_, step);
+    pace_.extrapolates =
+        all && chart_.v(y_ + *all).norm() <= Chart::largest_v &&
+        rows_.add_cuts(chart_, y_, Motion(chart_, y_, y_ + *all), margin_, effort_).clear;
+    return pace_.extrapolates ? *all : step;
+  }
+
   /// Takes a step, as far as its path is free. Returns false if the descent has ended.
   bool advance() noexcept {
     ++out_.iterations;
@@ -366,7 +349,7 @@ class Descent::Run {
       return false;
     }
     if (went_straight(wanted)) return false;
-    const Vec6 step = pace_.damped(wanted);
+    const Vec6 step = with_those_to_come(pace_.damped(wanted));
     const Vec6 target = y_ + step;
     const Sweep swept = descent_.short_sweep_to(chart_, y_, target, effort_);
     learn_longest_path(swept, target);

@@ -71,6 +71,14 @@ struct DescentTuning {
   /// Cosine of the angle between two consecutive steps: below it, the steps undo each other across
   /// a sharp edge.
   double turns_back = -0.25;
+  /// Cosine of the angle between two consecutive steps: above it, the second continues the first.
+  double same_way = 0.99;
+  /// Difference of two ratios of consecutive steps: below it they are the same, and the steps make
+  /// up a geometric series. (Of a ball of 16 sides in a groove they differ by 0.0003 to 0.01.
+  /// Without this, steps of which obstacles cut off parts count as series: of a cone in its bore
+  /// ten ticks did not converge where one did not.)
+  double same_ratio = 0.05;
+  double least_extrapolation = 1.5;  ///< steps: a shorter sum is not worth its look at the path
   /// Maximum number of consecutive secant steps: if more are needed, the wanted step is not a
   /// linear function of the pose.
   int most_secants = 3;

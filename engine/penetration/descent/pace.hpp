@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include "engine/geometry/chart.hpp"
 #include "engine/proximity/sweep/sweep.hpp"
@@ -26,6 +27,10 @@ struct Pace {
   double ceiling = std::numeric_limits<double>::max();
   Vec6 last = Vec6::Zero();    ///< the last step, after damping
   Vec6 wanted = Vec6::Zero();  ///< the last step, before damping
+  Vec6 steady = Vec6::Zero();  ///< the last step that continued the one before it
+  double ratio = 0;            ///< its length over that of the one before it
+  bool in_series = false;      ///< that ratio was the same twice
+  bool extrapolates = false;   ///< the last step was an extrapolated one
   double went = 0;             ///< m: the distance it moved
   int returns = 0;             ///< number of consecutive steps that turned back
   int stalled = 0;             ///< number of consecutive steps without progress
@@ -34,6 +39,11 @@ struct Pace {
   /// pose to pose, so it vanishes between the last pose and this one, and the step ends there
   /// (secant method). If secant steps do not settle it, the steps are halved.
   Vec6 damped(const Vec6& step) noexcept;
+  /// A straight path leaves an obstacle that curves away from it; the next step returns to it, and
+  /// goes on. Where the obstacle is nearly as curved as the sphere of its |y|, such steps make up a
+  /// geometric series. If the last three did, returns their sum from y on (Aitken's extrapolation),
+  /// or what of it does not raise |y| above the ceiling; else no value.
+  std::optional<Vec6> extrapolated(const Vec6& y, const Vec6& step) noexcept;
   /// After a step and the sweep of its path. A step that moved by no more than `worth_while` (m)
   /// made no progress. `radius`: of the probe, m.
   void learn(const Vec6& step, const Sweep& swept, double worth_while, double radius) noexcept;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/penetration/descent/descent_tuning.hpp"
 
 namespace sonde {
@@ -30,6 +32,72 @@ TEST(Pace, steps_that_go_on_are_not_damped) {
     EXPECT_EQ(pace.damped(step), step);
     pace.learn(step, {.free_until = 1}, 1e-9, 1);
   }
+}
+
+/// Along d, each step the same part of the one before.
+Vec6 in_series(double first, double ratio, int k) {
+  return first * std::pow(ratio, k) * Vec6::Unit(4);
+}
+
+/// What the pace makes of the last of so many steps of a series, from y on.
+std::optional<Vec6> after_series(Pace& pace, double first, double ratio, int count, const Vec6& y) {
+  std::optional<Vec6> out;
+  for (int k = 0; k < count; ++k) {
+    const Vec6 step = pace.damped(in_series(first, ratio, k));
+    out = pace.extrapolated(y, step);
+    pace.learn(step, {.free_until = 1}, 1e-9, 1);
+  }
+  return out;
+}
+
+// Reference: the sum of a geometric series.
+TEST(Pace, steps_that_shrink_alike_are_summed_up) {
+  const Vec6 far = Vec6(-10 * Vec6::Unit(4));
+  for (const double ratio : {0.4, 0.9, 0.98}) {
+    Pace pace;
+    const std::optional<Vec6> sum = after_series(pace, 1e-3, ratio, 3, far);
+    ASSERT_TRUE(sum) << ratio;
+    const Vec6 want = in_series(1e-3, ratio, 2) / (1 - ratio);
+    EXPECT_NEAR((*sum - want).norm(), 0, 1e-9 * want.norm()) << ratio;
+    Pace too_few;
+    EXPECT_FALSE(after_series(too_few, 1e-3, ratio, 2, far)) << ratio;
+  }
+}
+
+TEST(Pace, a_sum_does_not_rise_above_the_ceiling) {
+  Vec6 y = Vec6::Zero();
+  y[0] = 1, y[4] = -1e-3;
+  Pace pace;
+  pace.ceiling = y.norm() + 1e-7;
+  const std::optional<Vec6> sum = after_series(pace, 1e-3, 0.99, 3, y);
+  ASSERT_TRUE(sum);
+  EXPECT_NEAR((y + *sum).norm(), pace.ceiling, 1e-12);
+  EXPECT_LT(sum->norm(), 10e-3);
+}
+
+TEST(Pace, what_is_no_series_is_not_summed_up) {
+  const Vec6 far = Vec6(-10 * Vec6::Unit(4));
+  Pace uneven;
+  for (const double length : {1.0, 0.9, 0.5, 0.45, 0.3}) {
+    const Vec6 step = uneven.damped(length * Vec6::Unit(4));
+    EXPECT_FALSE(uneven.extrapolated(far, step)) << length;
+    uneven.learn(step, {.free_until = 1}, 1e-9, 1);
+  }
+  // Steps along which |y| rises, which regain gaps.
+  Pace rising;
+  EXPECT_FALSE(after_series(rising, 1e-3, 0.9, 6, -far));
+}
+
+TEST(Pace, a_sum_that_was_too_long_ends_the_series) {
+  const Vec6 far = Vec6(-10 * Vec6::Unit(4));
+  Pace pace;
+  const std::optional<Vec6> sum = after_series(pace, 1e-3, 0.9, 3, far);
+  ASSERT_TRUE(sum);
+  pace.extrapolates = true;
+  pace.learn(*sum, {.free_until = 1}, 1e-9, 1);
+  const Vec6 back = pace.damped(-1e-4 * Vec6::Unit(4));
+  EXPECT_FALSE(pace.extrapolated(far, back));
+  EXPECT_FALSE(pace.in_series);
 }
 
 TEST(Pace, progress_is_counted_and_paths_that_are_cut_short_bend) {
