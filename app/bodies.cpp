@@ -9,6 +9,7 @@
 #include "engine/offset/offset_faces.hpp"
 #include "engine/settings/settings.hpp"
 #include "engine/text/counted.hpp"
+#include "engine/text/file_unit.hpp"
 #include "engine/text/printable.hpp"
 
 namespace sonde::app {
@@ -61,7 +62,7 @@ void add_scene_or_meshes(CLI::App& parser, BodyOptions& options) {
       ->capture_default_str();
   parser.add_option("--unit", options.unit, "unit of the two meshes")
       ->needs(probe)
-      ->check(CLI::IsMember({"m", "cm", "mm", "um", "in", "ft"}))
+      ->check(CLI::IsMember(file_unit_names()))
       ->capture_default_str();
 }
 

@@ -16,6 +16,7 @@
 #include "app/result_table.hpp"
 #include "engine/offset/offset_faces.hpp"
 #include "engine/study/assembly/clash_picture.hpp"
+#include "engine/text/file_unit.hpp"
 #include "engine/text/output_file.hpp"
 #include "engine/text/printable.hpp"
 
@@ -271,7 +272,7 @@ Command add_clash_command(CLI::App& program) {
   add_repair(*parser, flags->repair);
   parser->get_option("--repair")->capture_default_str();
   parser->add_option("--unit", flags->unit, "unit of the mesh files")
-      ->check(CLI::IsMember({"m", "cm", "mm", "um", "in", "ft"}))
+      ->check(CLI::IsMember(file_unit_names()))
       ->capture_default_str();
   parser
       ->add_option("--scale", flags->scale, "factor for their coordinates, in addition to the unit")

@@ -3,6 +3,7 @@
 
 #include "app/bodies.hpp"
 #include "app/options.hpp"
+#include "engine/text/file_unit.hpp"
 
 namespace sonde::app {
 
@@ -15,7 +16,7 @@ void add_flags(CLI::App& parser, MeshOptions& options, const std::string& whose)
   add_repair(parser, options.repair);
   parser.get_option("--repair")->capture_default_str();
   parser.add_option("--unit", options.unit, "unit of the files")
-      ->check(CLI::IsMember({"m", "cm", "mm", "um", "in", "ft"}))
+      ->check(CLI::IsMember(file_unit_names()))
       ->capture_default_str();
   parser
       .add_option("--scale", options.scale, "factor for the coordinates, in addition to the unit")

@@ -3,18 +3,17 @@
 
 #include <charconv>
 #include <cmath>
+#include <string>
+
+#include "engine/text/file_unit.hpp"
 
 namespace sonde {
 namespace {
 
 constexpr double smallest_sensible = 100e-6;  // m
 
-struct LengthUnit {
-  const char* name;  ///< as --unit has it
-  double metres;
-};
 /// The likely ones first.
-constexpr LengthUnit length_units[] = {{"mm", 1e-3}, {"m", 1}, {"um", 1e-6}};
+constexpr const char* likely_units[] = {"mm", "m", "um"};
 
 std::string four_digits(double x) {
   char text[32];
@@ -41,9 +40,8 @@ void remark_on_size(PolygonSoup& soup, double scale) {
   std::string text = "the mesh is " +
                      (size < 1 ? four_digits(size * 1e6) + " um" : four_digits(size) + " m") +
                      " long";
-  for (const LengthUnit& unit : length_units) {
-    if (scale == 0 || !is_sensible(size / scale * unit.metres)) continue;
-    const std::string name = unit.name;
+  for (const std::string name : likely_units) {
+    if (scale == 0 || !is_sensible(size / scale * unit_in_metres(name).value())) continue;
     text.append(": in ").append(name).append(" it would be ");
     text.append(four_digits(size / scale)).append(" ").append(name);
     text.append("; give --unit ").append(name);

@@ -5,23 +5,22 @@
 #include <optional>
 #include <string>
 
+#include "engine/text/file_unit.hpp"
+
 namespace sonde {
 namespace {
 
-struct NamedUnit {
-  const char* name;        ///< as --unit has it
-  const char* plural;      ///< as the remark has it
-  double metres;           ///< as unit_in_metres()
+/// The words of a unit that files use, besides its name and plural.
+struct OtherWords {
+  std::string_view name;
   std::string_view words;  ///< each between blanks
 };
-constexpr NamedUnit named_units[] = {
-    {"m", "metres", 1, " m meter meters metre metres "},
-    {"cm", "centimetres", 1e-2, " cm centimeter centimeters centimetre centimetres "},
-    {"mm", "millimetres", 1e-3, " mm millimeter millimeters millimetre millimetres "},
-    {"um", "micrometres", 1e-6,
-     " um micron microns micrometer micrometers micrometre micrometres "},
-    {"in", "inches", 0.0254, " in inch inches "},
-    {"ft", "feet", 0.3048, " ft foot feet "}};
+constexpr OtherWords other_words[] = {{"m", " meter meters metre "},
+                                      {"cm", " centimeter centimeters centimetre "},
+                                      {"mm", " millimeter millimeters millimetre "},
+                                      {"um", " micron microns micrometer micrometers micrometre "},
+                                      {"in", " inch "},
+                                      {"ft", " foot "}};
 
 constexpr std::size_t text_looked_at = 1 << 14;  // bytes: a header, not all the comments of a mesh
 
@@ -35,17 +34,20 @@ std::string lower_case(std::string_view text) {
   return out;
 }
 
-const NamedUnit* unit_of(std::string_view word) {
+const FileUnit* unit_of(std::string_view word) {
   const std::string padded = " " + std::string(word) + " ";
-  const auto* const found = std::ranges::find_if(named_units, [&](const NamedUnit& unit) {
+  const auto* const other = std::ranges::find_if(other_words, [&](const OtherWords& unit) {
     return unit.words.find(padded) != std::string_view::npos;
   });
-  return found == std::end(named_units) ? nullptr : found;
+  const std::string_view name = other == std::end(other_words) ? word : other->name;
+  const auto found = std::ranges::find_if(
+      file_units(), [&](const FileUnit& unit) { return unit.name == name || unit.plural == name; });
+  return found == file_units().end() ? nullptr : &*found;
 }
 
 /// A unit that is stated, and the words that do.
 struct Stated {
-  const NamedUnit* unit;
+  const FileUnit* unit;
   std::string_view words;
 };
 
@@ -72,7 +74,7 @@ struct Words {
 };
 
 /// What follows the word "unit" or "units": a sign or "are", "in", and the name of a unit.
-const NamedUnit* unit_after(Words& words) {
+const FileUnit* unit_after(Words& words) {
   const bool sign = words.take(':') || words.take('=');
   const bool quoted = words.take('"') || words.take('\'');
   std::string_view word = words.word();
@@ -90,7 +92,7 @@ std::optional<Stated> stated_in(std::string_view line, std::string_view lower) {
     Words words{lower, at + 4};
     if (words.at < lower.size() && lower[words.at] == 's') ++words.at;
     if (words.at < lower.size() && is_letter(lower[words.at])) continue;
-    if (const NamedUnit* unit = unit_after(words))
+    if (const FileUnit* unit = unit_after(words))
       return Stated{unit, line.substr(at, words.at - at)};
   }
   return {};
@@ -131,14 +133,15 @@ std::optional<Stated> find_stated(UnitPlace place, std::string_view bytes) {
 }  // namespace
 
 void remark_on_unit(PolygonSoup& soup, UnitPlace place, std::string_view bytes, double scale) {
-  const auto* const read_as = std::ranges::find(named_units, scale, &NamedUnit::metres);
-  if (read_as == std::end(named_units)) return;
+  const auto read_as = std::ranges::find(file_units(), scale, &FileUnit::metres);
+  if (read_as == file_units().end()) return;
   const std::optional<Stated> stated = find_stated(place, bytes);
-  if (!stated || stated->unit == read_as) return;
+  if (!stated || stated->unit == &*read_as) return;
   std::string words(stated->words);
   std::erase_if(words, [](char c) { return c == '"' || c == '\''; });
-  soup.remarks.push_back("the file says \"" + words + "\"; read as " + read_as->plural +
-                         "; --unit " + stated->unit->name + " takes it at its word");
+  soup.remarks.push_back("the file says \"" + words + "\"; read as " +
+                         std::string(read_as->plural) + "; --unit " +
+                         std::string(stated->unit->name) + " takes it at its word");
 }
 
 }  // namespace sonde

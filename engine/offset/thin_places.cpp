@@ -21,7 +21,6 @@ Corners corners_of(const Soup& soup, std::uint32_t t) {
   const Triangle& triangle = soup.triangles[t];
   return {soup.vertices[triangle[0]], soup.vertices[triangle[1]], soup.vertices[triangle[2]]};
 }
-Vec3 area_vector(const Corners& c) { return (c[1] - c[0]).cross(c[2] - c[0]); }
 Vec3 middle(const Corners& c) { return (c[0] + c[1] + c[2]) / 3; }
 
 /// The faces around a corner: unit normals, outwards.
@@ -57,7 +56,7 @@ double inwards(const CornerFaces& corner, const Vec3& way) {
 
 /// Where a line crosses a triangle, from x along a unit direction.
 std::optional<double> crossed(const Corners& c, const Vec3& x, const Vec3& direction) {
-  const Vec3 n = area_vector(c);
+  const Vec3 n = area_normal(c);
   const double slope = n.dot(direction);
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3& a = c[k];
@@ -79,7 +78,7 @@ class ThinFinder {
     const Vec3 origin = nominal.mass.com;
     for (std::uint32_t t = 0; t < piece_.size(); ++t) {
       const Corners c = corners_of(soup_, t);
-      hollow_[piece_[t]] += area_vector(c).dot(c[0] - origin);
+      hollow_[piece_[t]] += area_normal(c).dot(c[0] - origin);
     }
   }
 
@@ -161,7 +160,7 @@ class ThinFinder {
       bool there = false;
       for (const std::uint32_t vertex : soup_.triangles[t])
         if (const auto found = corners.find(vertex); found != corners.end()) {
-          found->second.normals.push_back(area_vector(corners_of(soup_, t)).normalized());
+          found->second.normals.push_back(area_normal(corners_of(soup_, t)).normalized());
           there = true;
         }
       if (there && faces.size() < most_places) faces.push_back(t);
@@ -184,10 +183,10 @@ class ThinFinder {
 
   void look_through(std::uint32_t face, ThinPlace& least) const {
     const Corners from = corners_of(soup_, face);
-    const Vec3 x = middle(from), direction = -area_vector(from).normalized();
+    const Vec3 x = middle(from), direction = -area_normal(from).normalized();
     for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t) {
       const Corners other = corners_of(soup_, t);
-      if (!(area_vector(other).dot(direction) > 0)) continue;
+      if (!(area_normal(other).dot(direction) > 0)) continue;
       const std::optional<double> through = crossed(other, x, direction);
       if (through && *through > 0 && *through < least.thickness) least = {*through, x};
     }
@@ -199,7 +198,7 @@ class ThinFinder {
     for (const Vec3& n : around.normals) outwards += n;
     for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t) {
       const Corners other = corners_of(soup_, t);
-      const Vec3 normal = area_vector(other);
+      const Vec3 normal = area_normal(other);
       if (normal.dot(outwards) >= 0 || normal.dot(other[0] - x) <= 0) continue;
       const Vec3 way = closest_points({x, x, x}, other).b - x;
       if (way.norm() <= here) continue;

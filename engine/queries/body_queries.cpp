@@ -22,8 +22,7 @@ void check(const Vec3& x, const char* what) {
 }
 
 Vec3 normal_of(const Body& body, std::uint32_t triangle) {
-  const Corners c = corners(surface(body), triangle);
-  return (c[1] - c[0]).cross(c[2] - c[0]).stableNormalized();
+  return area_normal(corners(surface(body), triangle)).stableNormalized();
 }
 
 }  // namespace

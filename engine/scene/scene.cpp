@@ -2,7 +2,6 @@
 #include "engine/scene/scene.hpp"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -11,6 +10,7 @@
 #include "engine/settings/device_settings_file.hpp"
 #include "engine/settings/json_settings.hpp"
 #include "engine/settings/settings.hpp"
+#include "engine/text/file_unit.hpp"
 #include "engine/text/json_checks.hpp"
 #include "engine/text/located_json.hpp"
 #include "engine/text/nearest.hpp"
@@ -25,13 +25,6 @@ using Keys = std::vector<std::string_view>;
 
 // For most_parts, in the form that the window writes.
 constexpr std::size_t most_scene_bytes = 1 << 22;
-
-struct Unit {
-  std::string_view name;
-  double metres;
-};
-constexpr std::array<Unit, 6> units{
-    {{"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}, {"in", 0.0254}, {"ft", 0.3048}}};
 
 // The keys of each object of a scene; "$schema" is for editors with completion and validation.
 const Keys& scene_object_keys() {
@@ -63,7 +56,7 @@ struct Reader : SceneReader {
   double unit(const JsonNode& node) const {
     expect(node, Kind::string);
     Keys known;
-    for (const Unit& u : units) known.push_back(u.name);
+    for (const FileUnit& u : file_units()) known.push_back(u.name);
     return choice(node, unit_in_metres(node.text), known);
   }
 
@@ -213,16 +206,6 @@ void require_meshes(const Scene& scene) {
 void require_trajectory(const Scene& scene) {
   if (scene.trajectory && scene.trajectory_line > 0)
     require_file(scene.file, scene.trajectory_line, "trajectory", *scene.trajectory);
-}
-
-std::optional<double> unit_in_metres(const std::string& unit) {
-  const auto found = std::ranges::find(units, unit, &Unit::name);
-  return found == units.end() ? std::nullopt : std::optional(found->metres);
-}
-
-std::optional<std::string> unit_name(double metres) {
-  const auto found = std::ranges::find(units, metres, &Unit::metres);
-  return found == units.end() ? std::nullopt : std::optional(std::string(found->name));
 }
 
 Pose relative_pose(const Scene& scene) { return inverse(scene.fixed.pose) * scene.probe.pose; }

@@ -70,11 +70,6 @@ Coupling read_coupling(const std::filesystem::path& file);
 /// Every key that read_scene accepts, with its parents: "unit", "probe", "probe.mesh", ...
 std::vector<std::string> scene_keys();
 
-/// Metres per unit, "m" | "cm" | "mm" | "um" | "in" | "ft"; no value for anything else.
-std::optional<double> unit_in_metres(const std::string& unit);
-/// The name of the unit of exactly this size.
-std::optional<std::string> unit_name(double metres);
-
 /// The pose of the probe's mesh frame in the fixed body's mesh frame, from the two poses of a
 /// scene.
 Pose relative_pose(const Scene& scene);

@@ -11,6 +11,7 @@
 #include "engine/queries/pose_numbers.hpp"
 #include "engine/settings/device_settings_file.hpp"
 #include "engine/settings/settings.hpp"
+#include "engine/text/file_unit.hpp"
 #include "engine/text/number_text.hpp"
 #include "engine/text/output_file.hpp"
 

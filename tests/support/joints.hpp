@@ -9,8 +9,7 @@
 namespace sonde::test {
 
 /// Balls in sockets, balls of few sides in channels, studs in wells and sheets in slots, three of
-/// each, a nut that turns freely on
-/// its bolt and four that jam, in other sizes and tessellations.
+/// each, a nut that turns freely on its bolt and four that jam, in other sizes and tessellations.
 std::vector<FittedScene> joint_scenes();
 
 }  // namespace sonde::test

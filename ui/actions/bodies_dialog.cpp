@@ -10,11 +10,10 @@
 #include <QLabel>
 #include <QPushButton>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "engine/mesh_io/read_mesh.hpp"
-#include "engine/scene/scene.hpp"
+#include "engine/text/file_unit.hpp"
 #include "engine/text/number_text.hpp"
 #include "ui/base/format.hpp"
 
@@ -23,18 +22,7 @@ namespace {
 
 constexpr double far_apart = 30;  // times larger: one of the units is probably another
 
-struct Unit {
-  const char* key;
-  const char* name;
-};
 constexpr double mm = 1e-3;  // the unit of an offset
-
-constexpr std::array<Unit, 6> units{{{"m", "metres"},
-                                     {"cm", "centimetres"},
-                                     {"mm", "millimetres"},
-                                     {"um", "micrometres"},
-                                     {"in", "inches"},
-                                     {"ft", "feet"}}};
 
 /// A factor from a millionth to a million, shown with as many digits as it has.
 class ScaleBox : public QDoubleSpinBox {
@@ -168,8 +156,11 @@ BodiesDialog::Column BodiesDialog::add_column(QGridLayout& grid, int at, const c
   };
   Column column{};
   column.unit = named(new QComboBox(this), "_unit");
-  for (const Unit& unit : units)
-    column.unit->addItem(QLatin1String(unit.name), QLatin1String(unit.key));
+  const auto text = [](std::string_view of) {
+    return QString::fromUtf8(of.data(), static_cast<int>(of.size()));
+  };
+  for (const FileUnit& unit : file_units())
+    column.unit->addItem(text(unit.plural), text(unit.name));
   column.unit->setCurrentIndex(
       column.unit->findData(QString::fromStdString(unit_name(guess.unit).value_or("m"))));
   column.scale = named(new ScaleBox(this), "_scale");

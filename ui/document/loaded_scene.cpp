@@ -19,6 +19,7 @@
 #include "engine/offset/offset_faces.hpp"
 #include "engine/scene/write_scene.hpp"
 #include "engine/settings/settings.hpp"
+#include "engine/text/file_unit.hpp"
 #include "engine/text/number_text.hpp"
 #include "ui/base/resources.hpp"
 #include "ui/document/vector_in.hpp"

@@ -14,7 +14,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "engine/scene/scene.hpp"
+#include "engine/text/file_unit.hpp"
 #include "engine/text/number_text.hpp"
 #include "ui/document/pose_text.hpp"
 #include "ui/panels/number_field.hpp"
@@ -45,7 +45,7 @@ void PosePanel::build() {
   auto* grid = new QGridLayout;
   layout->addLayout(grid);
   unit_->setObjectName(QStringLiteral("pose_unit"));
-  for (const char* name : {"m", "cm", "mm", "um", "in", "ft"}) unit_->addItem(QLatin1String(name));
+  for (const std::string& name : file_unit_names()) unit_->addItem(QString::fromStdString(name));
   turn_->setObjectName(QStringLiteral("pose_turn"));
   turn_->addItems({QStringLiteral("roll, pitch, yaw"), QStringLiteral("axis and angle"),
                    QStringLiteral("quaternion"), QStringLiteral("matrix, metres")});

@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "engine/scene/scene.hpp"
+#include "engine/text/file_unit.hpp"
 #include "engine/text/printable.hpp"
 
 namespace sonde::ui {
@@ -18,8 +18,8 @@ void declare_command_line(CLI::App& app, Arguments& arguments) {
       ->type_name("SCENE | PROBE FIXED");
   app.add_option_function<std::string>(
          "--unit", [&](const std::string& unit) { arguments.unit = unit_in_metres(unit); },
-         "Unit of two meshes: m, cm, mm, um, in or ft")
-      ->check(CLI::IsMember({"m", "cm", "mm", "um", "in", "ft"}));
+         "Unit of two meshes")
+      ->check(CLI::IsMember(file_unit_names()));
   app.add_option(
          "--device", arguments.device,
          "What holds the probe: a device profile's id (simulated), a connected device's "

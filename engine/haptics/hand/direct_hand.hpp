@@ -7,23 +7,36 @@
 namespace sonde {
 
 /// A hand that holds the probe exactly at its target and feels nothing: a mouse without a device.
+///
+/// Targets of a mouse that is dragged come many ticks apart. The probe then takes as long to each
+/// as that came after the one before, so that it moves in every tick by a part of the way, as with
+/// a device, and contacts of close parts are followed by short steps. It is behind the newest
+/// target by at most the longest time between two of the same motion. A target after a pause, of
+/// the mouse or of the loop, is taken at once.
 class DirectHand {
  public:
-  explicit DirectHand(const Pose& X_FM) : targets_(X_FM) {}
+  /// s: the longest time between two targets of one motion.
+  static constexpr double longest_pause = 0.2;
+
+  explicit DirectHand(const Pose& X_FM) : from_(X_FM), to_(X_FM), targets_(X_FM) {}
 
   /// Functions for the servo; this object must outlive it.
   Hand hand() {
-    return {.sample =
-                [this](double /*dt*/) {
-                  targets_.update();
-                  return HandSample{.X_FM = targets_.front()};
-                },
-            .render = {}};
+    return {.sample = [this](double dt) { return HandSample{.X_FM = next(dt)}; }, .render = {}};
   }
   /// To be called from one other thread; the newest call wins.
   void set_target(const Pose& X_FM) { targets_.write(X_FM); }
+  /// Holds the probe there at once. Not while the servo runs.
+  void place(const Pose& X_FM);
 
  private:
+  /// `dt` (s) later.
+  Pose next(double dt) noexcept;
+  Pose now() const noexcept;
+
+  Pose from_, to_;
+  double since_ = 2 * longest_pause;  ///< s: since the newest target
+  double over_ = 0;                   ///< s: how long the probe takes to it
   TripleBuffer<Pose> targets_;
 };
 

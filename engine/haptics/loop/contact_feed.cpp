@@ -37,6 +37,7 @@ const LocalContacts& ContactFeed::reset(const Pose& X_FM, const StaticOptions& o
   last_device_ = contacts_.separation.device;
   near_.forget();
   gathered_ = false;
+  failed_looks_ = looks_left_out_ = 0;
   gather({});
   return contacts_;
 }
@@ -120,14 +121,29 @@ double ContactFeed::gather_near(const Chart& chart, double flat, Effort& effort)
   const bool move_along = gathered_ && moved < loop_tuning.moved_with_rows * near_.reach();
   // Pairs that may become flat while the rows move with the probe count as flat already.
   const double soon_flat = flat + loop_tuning.moved_with_rows * near_.reach();
-  if (!move_along && near_.gather(chart, y, loop_tuning.widest * mass.radius, soon_flat, effort)) {
+  if (!move_along && look_around(chart, y, soon_flat, effort)) {
     gathered_at_ = at;
     gathered_ = true;
     return near_.reach();
   }
-  if (!move_along) near_.halve_next_reach(flat);
   near_.move_rows_with_probe(chart, y);
   return std::max(0.0, near_.reach() - moved);
+}
+
+bool ContactFeed::look_around(const Chart& chart, const Vec6& y, double flat,
+                              Effort& effort) noexcept {
+  const double widest = loop_tuning.widest * pair_.probe().mass.radius;
+  if (looks_left_out_ > 0) {
+    --looks_left_out_;
+  } else if (near_.gather(chart, y, widest, flat, effort)) {
+    failed_looks_ = 0;
+    return true;
+  } else {
+    near_.halve_next_reach(flat);
+    failed_looks_ = std::min(failed_looks_ + 1, loop_tuning.most_failed_looks);
+    looks_left_out_ = (1 << failed_looks_) - 1;
+  }
+  return near_.gather_from(solver_.near_list(), chart, y, widest, flat);
 }
 
 void ContactFeed::mark_holding(const Pose& device) noexcept {

@@ -39,9 +39,15 @@ class ContactFeed {
  private:
   const Separation& begin(const Pose& X_FM, const StaticOptions& options);
   void gather(const Budget& budget) noexcept;
-  /// Gathers the rows near the separated pose. If that is near the last one, or if the effort runs
-  /// out, moves the last rows with the probe instead. Returns their reach from there, m.
+  /// Gathers the rows near the separated pose. If that is near the last one, or if nothing is known
+  /// of what is near, moves the last rows with the probe instead. Returns their reach from there,
+  /// m.
   double gather_near(const Chart& chart, double flat, Effort& effort) noexcept;
+  /// Gathers the rows at y. If the effort does not suffice for a look at the bodies, takes them
+  /// from the solver's list of pairs, which reaches less far, also in the next refreshes: 1, 3, 7,
+  /// 15 and then 31 of them between one try and the next. Returns false if that covers nothing
+  /// either.
+  bool look_around(const Chart& chart, const Vec6& y, double flat, Effort& effort) noexcept;
   /// Marks the rows that would hold the probe at other device poses near by: further along the
   /// device's motion, or moved by `far` (m, for a point at the probe's radius) in any of twelve
   /// directions.
@@ -57,6 +63,8 @@ class ContactFeed {
   Pose last_device_;
   Pose gathered_at_;  ///< of the near rows
   bool gathered_ = false;
+  int failed_looks_ = 0;      ///< in a row, of the rows' own
+  int looks_left_out_ = 0;    ///< still to be
   std::vector<bool> marked_;  ///< of the near rows
   /// The result of the last search.
   std::optional<Separation> searched_;

@@ -195,7 +195,7 @@ class Search {
   void curves(const LocalSurface& curved, std::uint32_t on, const LocalSurface& patched,
               std::uint32_t seed, const Meet& m) {
     const Corners t = curved.at(on);
-    const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+    const Vec3 normal = area_normal(t).normalized();
     const SurfacePatch patch = patch_about(patched, seed, bound_tuning.least_cosine_of_patch);
     for (const double slope : bound_tuning.slopes_of_cuts) {
       if (is_over()) return;

@@ -54,7 +54,7 @@ Soup extract(const Soup& mesh, const std::vector<std::uint32_t>& some, const Tra
   return out;
 }
 
-Vec3 unit_normal(const Corners& t) { return (t[1] - t[0]).cross(t[2] - t[0]).normalized(); }
+Vec3 unit_normal(const Corners& t) { return area_normal(t).normalized(); }
 
 std::size_t side_towards(const LocalSurface& surface, std::uint32_t from, std::uint32_t to) {
   std::size_t k = 0;
@@ -185,7 +185,7 @@ void TriangleSet::add(const Corners& t) {
   radius_.push_back(std::sqrt(squared) * (1 + 1e-12));
   // Each side is at most twice the radius long, and its product with another rounds by some
   // epsilons of their lengths. Of a needle that turns the normal far.
-  const double area = (t[1] - t[0]).cross(t[2] - t[0]).norm(), side = 2 * radius_.back();
+  const double area = area_normal(t).norm(), side = 2 * radius_.back();
   normal_.push_back(unit_normal(t));
   uneven_.push_back(area > 0 ? 1e-14 * side * side / area * side : infinity);
 }

@@ -181,7 +181,26 @@ bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double
   least_asked_ = contact_tuning.least_reach_of_flat * flat;
   const NearPairs near = find_pairs(X, asked_, least_asked_, effort);
   gathered_ = near.reach >= 0 && !effort.is_spent();
-  if (!gathered_) return false;
+  if (gathered_) make_rows(near, reach, chart, y, flat, effort);
+  return gathered_;
+}
+
+bool ContactRows::gather_from(NeighbourList& list, const Chart& chart, const Vec6& y, double reach,
+                              double flat) noexcept {
+  const PhaseTimer timer(times_, Phase::look);
+  const Transform X(chart.pose(y));
+  const double listed = list.reach_at(X);
+  if (!(listed > 0)) return false;
+  asked_ = std::min(reach, listed);
+  Effort unlimited;
+  const NearPairs near = list.near(X, asked_, {pairs_.data(), most_near_}, unlimited);
+  make_rows(near, asked_, chart, y, flat, unlimited);
+  return gathered_ = true;
+}
+
+void ContactRows::make_rows(const NearPairs& near, double reach, const Chart& chart, const Vec6& y,
+                            double flat, Effort& effort) noexcept {
+  const Transform X(chart.pose(y));
   count_ = 0;
   has_other_axes_ = false;
   smallest_gap_ = reach_ = near.reach;
@@ -199,7 +218,6 @@ bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double
     add_rows_of(p, X, flat);
   }
   linearise(chart, y);
-  return true;
 }
 
 bool ContactRows::reuse_rows(const Chart& chart, const Vec6& y) noexcept {
@@ -314,14 +332,16 @@ ContactRows::PathCheck ContactRows::add_cuts(const Chart& chart, const Vec6& y,
     lists_.renew(X_, {next, near_of(next), least, centre, path}, effort);
   }
   NeighbourList& list = lists_.serving();
+  PathCheck out;
   std::size_t found = 0;
   if (list.reach_at(end) > least)
     found = list.violations(end, least, violations_, effort);
   else if (!effort.is_limited())
     found = find_violations(probe_, fixed_, end, least, violations_, effort);
+  else
+    out.looked = false;
   const std::size_t before = count_;
   turn_ = std::max(turn_, motion.turn_bound());
-  PathCheck out;
   for (std::size_t i = 0; i < found; ++i) {
     const auto& [a, b, gap] = violations_[i];
     const Corners ta = place(X_, corners(surface(probe_), a));

@@ -67,6 +67,12 @@ class ContactRows {
     Effort unlimited;
     gather(chart, y, reach, flat, unlimited);
   }
+  /// The same from another list of pairs of these bodies, within what it covers at y. Returns
+  /// false, with the old rows unchanged, if it covers nothing there.
+  bool gather_from(NeighbourList& list, const Chart& chart, const Vec6& y, double reach,
+                   double flat) noexcept;
+  /// The list of pairs in use; it may cover nothing.
+  NeighbourList& list() noexcept { return lists_.serving(); }
 
   /// Expresses the contacts of the last gather as rows in another chart, without a query of the
   /// geometry. y is the probe's pose in that chart. Returns false if that is not the pose of the
@@ -95,9 +101,10 @@ class ContactRows {
 
   /// Result of add_cuts() at the end of a path.
   struct PathCheck {
-    bool news = false;  ///< add_cuts() added rows
-    double lost = 0;    ///< m: largest loss of a pair: min(gap now, margin) − gap at the end
-    bool clear = true;  ///< no pair obstructs the path; false also if the effort ran out
+    bool news = false;   ///< add_cuts() added rows
+    double lost = 0;     ///< m: largest loss of a pair: min(gap now, margin) − gap at the end
+    bool clear = true;   ///< no pair obstructs the path; false also if the effort ran out
+    bool looked = true;  ///< false: a limited effort did not suffice for a list, so none is known
   };
   /// Checks the pose at the end of `motion`, a path that begins at y, the pose of the last gather.
   /// A pair obstructs the path if its gap at the end is below 95 % (ContactTuning::kept_share) of
@@ -143,6 +150,9 @@ class ContactRows {
   double reach() const { return reach_; }
 
  private:
+  /// Makes the rows of the pairs found at y, and of those kept from before within `reach` (m).
+  void make_rows(const NearPairs& near, double reach, const Chart& chart, const Vec6& y,
+                 double flat, Effort& effort) noexcept;
   struct TrianglePair {
     std::uint32_t a, b;
     bool operator==(const TrianglePair&) const = default;

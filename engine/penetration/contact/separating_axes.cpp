@@ -18,13 +18,14 @@ class Axes {
     for (const double side : {1, -1}) {
       // The plane of B stays as the probe moves, and its lowest corner is the nearest to it. The
       // plane of A goes with the probe, and the corner of B below it stays.
-      if (const Vec3 n = side * unit(edge_of(b_, 0).cross(edge_of(b_, 1))); n.squaredNorm() > 0)
+      if (const Vec3 n = side * unit(area_normal(b_)); n.squaredNorm() > 0)
         add(n, lowest_corner(a_, n));
-      if (const Vec3 n = side * unit(edge_of(a_, 0).cross(edge_of(a_, 1))); n.squaredNorm() > 0)
+      if (const Vec3 n = side * unit(area_normal(a_)); n.squaredNorm() > 0)
         add(n, lowest_corner(b_, -n) + gap_along(n, a_, b_) * n);
     }
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) add_edges(i, j);
+    any_edges(a_, b_, [&](const Vec3& axis, std::size_t i, std::size_t j) {
+      return add_edges(axis, i, j), false;
+    });
     return out_;
   }
 
@@ -39,9 +40,8 @@ class Axes {
 
   /// The two edges move apart at the rate of the nearest points of their lines, if both triangles
   /// end in them. If neither does, the plane through B's highest corner stays as it is.
-  void add_edges(std::size_t i, std::size_t j) {
-    const Vec3 u = edge_of(a_, i), v = edge_of(b_, j), axis = u.cross(v);
-    if (!(axis.norm() > contact_tuning.parallel_edges * u.norm() * v.norm())) return;
+  void add_edges(const Vec3& axis, std::size_t i, std::size_t j) {
+    const Vec3 u = edge_of(a_, i), v = edge_of(b_, j);
     for (const double side : {1, -1}) {
       const Vec3 n = side * axis.normalized();
       const double gap = gap_along(n, a_, b_), same = as_low * std::abs(gap);

@@ -11,21 +11,26 @@
 
 namespace sonde {
 
-/// From corner i to the next.
-inline Vec3 edge_of(const Corners& t, std::size_t i) { return t[(i + 1) % 3] - t[i]; }
-
-/// Calls look(axis) for the axes of the separating-axis theorem of two triangles: their normals and
-/// the cross products of their edges, neither unit nor oriented, none zero. Edges that
-/// are nearly parallel (ContactTuning::parallel_edges) give none.
-template <class Look>
-void each_separating_axis(const Corners& a, const Corners& b, const Look& look) {
-  for (const Corners* t : {&a, &b})
-    if (const Vec3 face = edge_of(*t, 0).cross(edge_of(*t, 1)); face.squaredNorm() > 0) look(face);
+/// Calls visit(axis, i, j) for the cross products of edges i of A and j of B, not unit, until it
+/// returns true. Edges that are nearly parallel (ContactTuning::parallel_edges) give none.
+template <class Visit>
+bool any_edges(const Corners& a, const Corners& b, const Visit& visit) {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
       const Vec3 u = edge_of(a, i), v = edge_of(b, j), axis = u.cross(v);
-      if (axis.norm() > contact_tuning.parallel_edges * u.norm() * v.norm()) look(axis);
+      if (axis.norm() > contact_tuning.parallel_edges * u.norm() * v.norm() && visit(axis, i, j))
+        return true;
     }
+  return false;
+}
+
+/// Calls look(axis) for the axes of the separating-axis theorem of two triangles: their normals and
+/// the cross products of their edges, neither unit nor oriented, none zero.
+template <class Look>
+void each_separating_axis(const Corners& a, const Corners& b, const Look& look) {
+  for (const Corners* t : {&a, &b})
+    if (const Vec3 face = area_normal(*t); face.squaredNorm() > 0) look(face);
+  any_edges(a, b, [&](const Vec3& axis, std::size_t, std::size_t) { return look(axis), false; });
 }
 
 /// The corner with the least n·x.

@@ -25,17 +25,6 @@ Gaps gaps(const Vec3& n, const TouchingPair& pair) {
   return {a_low - b_high, b_low - a_high};
 }
 
-/// Calls visit(axis) for the cross products of edges (not normalised) until it returns true.
-template <class Visit>
-bool any_edges(const TouchingPair& pair, const Visit& visit) {
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) {
-      const Vec3 u = edge_of(pair.a, i), v = edge_of(pair.b, j), axis = u.cross(v);
-      if (axis.norm() > contact_tuning.parallel_edges * u.norm() * v.norm() && visit(axis))
-        return true;
-    }
-  return false;
-}
 template <class Visit>
 bool any_in_plane(const TouchingPair& pair, const Visit& visit) {
   for (std::size_t i = 0; i < 3; ++i)
@@ -65,7 +54,8 @@ class Cover {
   std::optional<std::vector<Vec3>> find() {
     for (const TouchingPair& p : pairs_) add(p.face_b), add(p.face_a);
     if (!serves_all(best()))
-      for (const TouchingPair& p : pairs_) any_edges(p, [&](const Vec3& n) { return !add(n); });
+      for (const TouchingPair& p : pairs_)
+        any_edges(p.a, p.b, [&](const Vec3& n, auto, auto) { return !add(n); });
     take_best();
     if (count_left_ > 0) {
       for (std::size_t i = 0; i < pairs_.size(); ++i)
@@ -153,8 +143,7 @@ class Cover {
 }  // namespace
 
 TouchingPair touching_pair(const Corners& a, const Corners& b) {
-  return {a, b, edge_of(a, 0).cross(edge_of(a, 1)).stableNormalized(),
-          edge_of(b, 0).cross(edge_of(b, 1)).stableNormalized()};
+  return {a, b, area_normal(a).stableNormalized(), area_normal(b).stableNormalized()};
 }
 
 double overlap_of(const TouchingPair& pair, double enough) {
@@ -166,7 +155,9 @@ double overlap_of(const TouchingPair& pair, double enough) {
     overlap = std::min(overlap, -std::max(g.along, g.against));
     return overlap <= enough;
   };
-  if (!look(pair.face_b) && !look(pair.face_a) && !any_edges(pair, look)) any_in_plane(pair, look);
+  if (!look(pair.face_b) && !look(pair.face_a) &&
+      !any_edges(pair.a, pair.b, [&](const Vec3& n, auto, auto) { return look(n); }))
+    any_in_plane(pair, look);
   return overlap;
 }
 

@@ -18,12 +18,15 @@ namespace {
 constexpr int work_of_step = 500;
 
 /// m²: the decrease of ½|y|² from y along the straight motion `way`, where it falls more steeply
-/// than `slope` (m).
+/// than `slope` (m), less what it rises again at its end: the next step undoes that.
 double fallen(const Vec6& y, const Vec6& way, double slope) {
   const double length = way.norm();
   const double steeper = length > 0 ? -y.dot(way) / length - slope : 0;
   const double steep = std::clamp(steeper, 0.0, length);  // beyond, the way is less steep
-  return (steeper - 0.5 * steep) * steep;
+  const double along = length > 0 ? y.dot(way) / length : 0;
+  const double lowest = std::clamp(-along, 0.0, length);
+  const double risen = (along + 0.5 * (length + lowest)) * (length - lowest);
+  return (steeper - 0.5 * steep) * steep - risen;
 }
 
 }  // namespace
@@ -58,7 +61,6 @@ void Descent::report(Outcome& out, const Vec6& y, const LeastDistance& nearest) 
 
 Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& nearest,
                         double margin, double rise, const Pace& pace) noexcept {
-  const double radius = chart.mass().radius;
   Vec6 step = nearest.y - y;
   const double size2 = step.squaredNorm();
   // The contacts bend into the straight path by about κ|step|². The step leaves that much room at
@@ -96,9 +98,13 @@ Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& 
   // |y| decreases along the whole path, which ends at its point nearest to the origin.
   if (!lifts) step *= std::clamp(-y.dot(step) / step.squaredNorm(), 0.0, 1.0);
   step = shortened(step, pace.longest);
+  return std::min(1.0, most_of_path(chart, y, step, margin, pace)) * step;
+}
+
+double Descent::most_of_path(const Chart& chart, const Vec6& y, const Vec6& step, double margin,
+                             const Pace& pace) const noexcept {
   const double quick = std::max(std::min(longest_path_, pace.longest), 8 * margin);
-  const double path = Motion(chart, y, y + step).farthest(radius);
-  return path > quick ? Vec6(step * (quick / path)) : step;
+  return quick / Motion(chart, y, y + step).farthest(chart.mass().radius);
 }
 
 double Descent::margin(const Chart& chart, double depth) const noexcept {
@@ -328,11 +334,20 @@ class Descent::Run {
   /// The step and those that are to follow it in its direction, if nothing is in their way that the
   /// rows do not know.
   Vec6 with_those_to_come(const Vec6& step) noexcept {
-    const std::optional<Vec6> all = pace_.extrapolated(y_, step);
-    pace_.extrapolates =
-        all && chart_.v(y_ + *all).norm() <= Chart::largest_v &&
-        rows_.add_cuts(chart_, y_, Motion(chart_, y_, y_ + *all), margin_, effort_).clear;
+    const double most =
+        std::min(descent_.most_of_path(chart_, y_, step, margin_, pace_),
+                 descent_tuning.largest_turn / std::max(chart_.v(step).norm(), 1e-30));
+    const std::optional<Vec6> all = pace_.extrapolated(y_, step, most);
+    pace_.extrapolates = all && is_clear_until(y_ + *all);
+    if (all && !pace_.extrapolates) pace_.end_series();
     return pace_.extrapolates ? *all : step;
+  }
+
+  bool is_clear_until(const Vec6& target) noexcept {
+    if (chart_.v(target).norm() > Chart::largest_v) return false;
+    const ContactRows::PathCheck look =
+        rows_.add_cuts(chart_, y_, Motion(chart_, y_, target), margin_, effort_);
+    return look.looked && look.clear;
   }
 
   /// Takes a step, as far as its path is free. Returns false if the descent has ended.

@@ -92,6 +92,9 @@ class Descent {
     rows_.prepare_next_list(moved, effort);
   }
 
+  /// The list of pairs that the last run used; it may cover nothing.
+  NeighbourList& near_list() noexcept { return rows_.list(); }
+
   /// Translation only: the y at which the probe comes to rest after it has turned with the device,
   /// according to the rows from the end of the last run. No value if y is not the pose at which the
   /// last run ended, or if the rows have no common point.
@@ -103,6 +106,9 @@ class Descent {
 
  private:
   class Run;
+  /// The multiple of the step from y whose path is not too expensive to sweep.
+  double most_of_path(const Chart& chart, const Vec6& y, const Vec6& step, double margin,
+                      const Pace& pace) const noexcept;
   /// m: the gap at which the descent aims. It always exceeds the rounding of coordinates, which
   /// grows with the distance from the origin.
   double margin(const Chart& chart, double depth) const noexcept;

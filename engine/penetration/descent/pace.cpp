@@ -29,14 +29,14 @@ Vec6 Pace::damped(const Vec6& step) noexcept {
   return shortened(step, damped_to);
 }
 
-std::optional<Vec6> Pace::extrapolated(const Vec6& y, const Vec6& step) noexcept {
+std::optional<Vec6> Pace::extrapolated(const Vec6& y, const Vec6& step, double most) noexcept {
   const double size = step.norm();
   const auto continues = [&](const Vec6& before) {
     return step.dot(before) > descent_tuning.same_way * size * before.norm();
   };
   // The step after an extrapolated one returns to the obstacle. Backwards: the sum was too long.
   if (extrapolates) {
-    in_series = in_series && step.dot(last) > 0;
+    if (!(step.dot(last) > 0)) end_series();
     return std::nullopt;
   }
   if (continues(last)) {
@@ -44,17 +44,16 @@ std::optional<Vec6> Pace::extrapolated(const Vec6& y, const Vec6& step) noexcept
     in_series = std::abs(ratio - before) < descent_tuning.same_ratio;
     steady = step;
   } else if (!continues(steady)) {
-    in_series = false;
+    end_series();
   }
   const double along = y.dot(step) / (size * size);
   // Not one that regains gaps, nor a damped one.
   if (!in_series || along > -0.5 || step != wanted) return std::nullopt;
   const double room = (ceiling * ceiling - y.squaredNorm()) / (size * size);
   const double to_ceiling = std::sqrt(std::max(0.0, along * along + room)) - along;
-  // Of a series that grows (from a ridge down): until its steps are some e times as long.
-  const double factor = std::min(1 / std::abs(1 - ratio), to_ceiling);
-  if (!(factor > descent_tuning.least_extrapolation)) return std::nullopt;
-  return shortened(factor * step, longest);
+  const double factor = std::min({1 / std::abs(1 - ratio), to_ceiling, most});
+  if (!(factor > descent_tuning.least_extrapolation) || !std::isfinite(factor)) return std::nullopt;
+  return factor * step;
 }
 
 void Pace::learn(const Vec6& step, const Sweep& swept, double worth_while, double radius) noexcept {

@@ -28,8 +28,8 @@ struct Pace {
   Vec6 last = Vec6::Zero();    ///< the last step, after damping
   Vec6 wanted = Vec6::Zero();  ///< the last step, before damping
   Vec6 steady = Vec6::Zero();  ///< the last step that continued the one before it
-  double ratio = 0;            ///< its length over that of the one before it
-  bool in_series = false;      ///< that ratio was the same twice
+  double ratio = 0;            ///< its length over that of the one before it; 0: none is known
+  bool in_series = false;      ///< that ratio was the same twice in a row, and no step has differed
   bool extrapolates = false;   ///< the last step was an extrapolated one
   double went = 0;             ///< m: the distance it moved
   int returns = 0;             ///< number of consecutive steps that turned back
@@ -41,9 +41,13 @@ struct Pace {
   Vec6 damped(const Vec6& step) noexcept;
   /// A straight path leaves an obstacle that curves away from it; the next step returns to it, and
   /// goes on. Where the obstacle is nearly as curved as the sphere of its |y|, such steps make up a
-  /// geometric series. If the last three did, returns their sum from y on (Aitken's extrapolation),
-  /// or what of it does not raise |y| above the ceiling; else no value.
-  std::optional<Vec6> extrapolated(const Vec6& y, const Vec6& step) noexcept;
+  /// geometric series. Once the last three did, returns the sum of those to come (Aitken's
+  /// extrapolation), from y on; if they grow, of those up to twice as long. It is at most `most`
+  /// times the step, and does not raise |y| above the ceiling. No value if that is not worth a
+  /// look.
+  std::optional<Vec6> extrapolated(const Vec6& y, const Vec6& step, double most) noexcept;
+  /// What was taken for a series is none.
+  void end_series() noexcept { ratio = 0, in_series = false; }
   /// After a step and the sweep of its path. A step that moved by no more than `worth_while` (m)
   /// made no progress. `radius`: of the probe, m.
   void learn(const Vec6& step, const Sweep& swept, double worth_while, double radius) noexcept;

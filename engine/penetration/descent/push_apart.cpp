@@ -32,9 +32,7 @@ WayOut way_apart(const Corners& a, const Corners& b) {
 
 /// The separating direction that needs the least displacement.
 WayOut way_out(const Corners& a, const Corners& b, bool solid_a, bool solid_b) {
-  const auto face = [](const Corners& t) {
-    return Vec3((t[1] - t[0]).cross(t[2] - t[1]).normalized());
-  };
+  const auto face = [](const Corners& t) { return Vec3(area_normal(t).normalized()); };
   const Vec3 face_a = face(a), face_b = face(b);
   WayOut best;
   const auto look = [&](const Vec3& axis) {

@@ -11,12 +11,9 @@
 namespace sonde {
 namespace {
 
-/// The normal, with twice the triangle's area as its length.
-Vec3 normal_of(const Corners& t) { return (t[1] - t[0]).cross(t[2] - t[0]); }
-
 /// Whether all corners of a triangle lie in the plane of another.
 bool lies_in_plane(const Corners& a, const Corners& b, double flat) {
-  const Vec3 n = normal_of(b).normalized();
+  const Vec3 n = area_normal(b).normalized();
   return std::ranges::all_of(a, [&](const Vec3& x) { return std::abs(n.dot(x - b[0])) <= flat; });
 }
 
@@ -113,7 +110,7 @@ void OneDofMotion::add_roots(const Coordinate& c, const Interval& interval,
 
 void OneDofMotion::events(const Corners& a, const Corners& b, const Interval& interval, double flat,
                           std::vector<double>& out) const {
-  const Vec3 n_a = normal_of(a), n_b = normal_of(b);
+  const Vec3 n_a = area_normal(a), n_b = area_normal(b);
   for (std::size_t i = 0; i < 3; ++i) {
     Coordinate above = of_point(n_b, a[i]);
     (turns_ ? above.rest : above.even) -= n_b.dot(b[0]);

@@ -197,6 +197,8 @@ CoherentSolver& CoherentSolver::operator=(const CoherentSolver& other) {
 
 const Separation& CoherentSolver::last() const { return state_->last; }
 
+NeighbourList& CoherentSolver::near_list() noexcept { return state_->descent.near_list(); }
+
 void CoherentSolver::time_phases(bool on) noexcept {
   state_->timed = on;
   state_->times = {};

@@ -9,6 +9,8 @@
 
 namespace sonde {
 
+class NeighbourList;
+
 /// Follows the separated pose of a moving probe. Each tick moves Q from the last separated pose
 /// along a path that sweeps prove free. On this path, the distance √σ to the new device pose
 /// decreases, except where the probe regains its gaps: there it may rise by at most a quarter of
@@ -38,6 +40,10 @@ class CoherentSolver {
   void time_phases(bool on) noexcept;
 
   const Separation& last() const;
+
+  /// The solver's list of the pairs near the separated pose, for other looks there until the next
+  /// tick. It may cover nothing.
+  NeighbourList& near_list() noexcept;
 
  private:
   struct State;

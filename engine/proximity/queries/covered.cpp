@@ -19,8 +19,6 @@
 namespace sonde {
 namespace {
 
-Vec3 normal_of(const Corners& t) { return (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized(); }
-
 /// Next to a point of a triangle, by at most `away` (m) into it: on none of its edges.
 Vec3 next_to(const Vec3& x, const Corners& t, double away) {
   const Vec3 way = wall_center(t) - x;
@@ -140,7 +138,7 @@ class OutsideSearch {
 bool is_covered(const Body& body, std::uint32_t triangle, const Vec3& x) {
   if (!body.solid || is_loose(body, triangle)) return false;
   const Corners t = corners(surface(body), triangle);
-  const Vec3 n = normal_of(t);
+  const Vec3 n = area_normal(t).stableNormalized();
   const Vec3 on_plane = x - n * n.dot(x - t[0]);
   const Vec3 beside = beside_a_wall * extent(body) * n;
   return winds_around(body, on_plane + beside) && winds_around(body, on_plane - beside);

@@ -31,7 +31,7 @@ std::optional<int> crossing(const Vec3& x, const Vec3& d, const Corners& t) {
   const int s0 = volume(p, q), s1 = volume(q, r), s2 = volume(r, p);
   if (s0 * s1 < 0 || s1 * s2 < 0 || s2 * s0 < 0) return 0;
   // The triangle's plane is in front if its height along the ray is positive.
-  const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]);
+  const Vec3 n = area_normal(t);
   const double facing = n.dot(d), height = n.dot(p);
   if (s0 == 0 || s1 == 0 || s2 == 0) {
     const bool behind = p.dot(d) < 0 && q.dot(d) < 0 && r.dot(d) < 0;

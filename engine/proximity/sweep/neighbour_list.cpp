@@ -14,8 +14,6 @@ namespace {
 // Units of Effort: for a block of pairs, and for one pair.
 constexpr int work_to_look = 5, work_to_advance = 20;
 
-Vec3 face_normal(const Corners& t) { return (t[1] - t[0]).cross(t[2] - t[0]).normalized(); }
-
 /// The position of the centre of mass, and the rotation of arms from it.
 ArmMap arms_at(const Body& a, const Transform& X) { return arm_map(X.R, X * a.mass.com); }
 
@@ -220,7 +218,7 @@ void NeighbourList::follow(std::span<const UnprovenPair> open, PairSweep& pairs,
   const auto passes_over = [&](const TriangleBatch::Pair& pair) {
     const Corners ta = place(pairs.start().X, corners(surface(a_), pair.i));
     const Corners tb = corners(surface(b_), pair.j);
-    for (const Vec3& way : {hint, face_normal(tb), face_normal(ta)})
+    for (const Vec3& way : {hint, area_normal(tb).normalized(), area_normal(ta).normalized()})
       for (const double side : {1.0, -1.0}) {
         const Vec3 n = side * way;
         if (!(gap_along(n, ta, tb) > 0) || !passes(pair, n)) continue;

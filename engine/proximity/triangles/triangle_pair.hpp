@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <limits>
 
 #include "engine/geometry/pose.hpp"
@@ -10,6 +11,11 @@ namespace sonde {
 
 /// The corners of one triangle, in the caller's frame; metres.
 using Corners = std::array<Vec3, 3>;
+
+/// From corner i to the next.
+inline Vec3 edge_of(const Corners& t, std::size_t i) { return t[(i + 1) % 3] - t[i]; }
+/// Across the triangle, outwards for a solid's; twice its area long.
+inline Vec3 area_normal(const Corners& t) { return (t[1] - t[0]).cross(t[2] - t[0]); }
 
 /// Closest points of two triangles, and the direction that separates them.
 struct ClosestPoints {

@@ -339,16 +339,6 @@ TEST(Scene, a_file_of_gains_is_an_object_not_another_name) {
   EXPECT_THROW(read_coupling(gains), InputError);
 }
 
-TEST(Scene, units) {
-  EXPECT_EQ(unit_in_metres("m"), 1);
-  EXPECT_EQ(unit_in_metres("cm"), 0.01);
-  EXPECT_EQ(unit_in_metres("mm"), 0.001);
-  EXPECT_EQ(unit_in_metres("um"), 1e-6);
-  EXPECT_EQ(unit_in_metres("in"), 0.0254);
-  EXPECT_EQ(unit_in_metres("ft"), 0.3048);
-  EXPECT_FALSE(unit_in_metres("M"));
-}
-
 TEST(Scene, load_applies_unit_and_scale) {
   const TempFolder folder;
   const auto mesh = folder.write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");

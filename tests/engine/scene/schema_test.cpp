@@ -7,6 +7,7 @@
 
 #include "engine/scene/scene.hpp"
 #include "engine/settings/settings.hpp"
+#include "engine/text/file_unit.hpp"
 #include "tests/support/temp_folder.hpp"
 
 namespace sonde {

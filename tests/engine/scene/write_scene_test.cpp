@@ -16,6 +16,7 @@
 #include "engine/queries/pose_numbers.hpp"
 #include "engine/settings/device_settings_file.hpp"
 #include "engine/settings/settings.hpp"
+#include "engine/text/file_unit.hpp"
 #include "tests/support/temp_folder.hpp"
 
 namespace sonde {

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "tests/support/allocation_counter.hpp"
 
 namespace sonde {
@@ -20,6 +23,89 @@ TEST(DirectHand, the_probe_is_where_the_newest_target_is) {
   EXPECT_EQ(counter.allocations(), 0U);
   EXPECT_EQ(sample.X_FM.p, Vec3(7, 8, 9));
   EXPECT_TRUE(sample.held && sample.trusted);
+}
+
+// Reference: uniform motion.
+TEST(DirectHand, targets_of_one_motion_are_reached_in_the_time_between_them) {
+  DirectHand direct({Quat::Identity(), Vec3::Zero()});
+  const Hand hand = direct.hand();
+  const auto target = [](int i) {
+    return Pose{Quat(std::cos(0.05 * i), std::sin(0.05 * i), 0, 0), Vec3(0.01 * i, 0, 0)};
+  };
+  hand.sample(0);
+  direct.set_target(target(1));
+  EXPECT_EQ(hand.sample(1e-3).X_FM.p, target(1).p) << "at once, after a pause";
+  Pose last = target(1);
+  test::AllocationCounter counter;
+  for (int i = 2; i < 20; ++i) {
+    for (int tick = 1; tick < 10; ++tick) last = hand.sample(1e-3).X_FM;
+    direct.set_target(target(i));
+    const Pose now = hand.sample(1e-3).X_FM;
+    EXPECT_NEAR((now.p - target(i - 1).p).norm(), 0, 1e-12) << "reached as the next one comes";
+    EXPECT_NEAR(now.q.dot(target(i - 1).q), 1, 1e-12);
+    if (i > 2) {
+      EXPECT_NEAR((now.p - last.p).norm(), 1e-3, 1e-12) << "a tenth of the way";
+    }
+  }
+  counter.stop();
+  EXPECT_EQ(counter.allocations(), 0U);
+  for (int tick = 0; tick < 250; ++tick) last = hand.sample(1e-3).X_FM;
+  EXPECT_EQ(last.p, target(19).p) << "to the bit";
+  EXPECT_EQ(last.q.coeffs(), target(19).q.coeffs());
+  direct.set_target(target(3));
+  EXPECT_EQ(hand.sample(1e-3).X_FM.p, target(3).p) << "at once, after a pause";
+}
+
+TEST(DirectHand, a_placed_probe_and_one_after_a_pause_do_not_glide) {
+  const auto x = [](double at) { return Pose{Quat::Identity(), Vec3(at, 0, 0)}; };
+  DirectHand direct(x(0));
+  const Hand hand = direct.hand();
+  hand.sample(1e-3);
+  direct.set_target(x(1));
+  for (int tick = 0; tick < 10; ++tick) hand.sample(1e-3);
+  direct.set_target(x(2));
+  EXPECT_LT(hand.sample(1e-3).X_FM.p.x(), 2);
+  EXPECT_EQ(hand.sample(0).X_FM.p.x(), 2) << "the first sample after a pause";
+  for (int tick = 0; tick < 10; ++tick) hand.sample(1e-3);
+  direct.set_target(x(3));
+  EXPECT_EQ(hand.sample(0).X_FM.p.x(), 3) << "a target that was set in the pause";
+  for (int tick = 0; tick < 10; ++tick) hand.sample(1e-3);
+  direct.set_target(x(4));
+  EXPECT_LT(hand.sample(1e-3).X_FM.p.x(), 4);
+  direct.place(x(5));
+  for (int tick = 0; tick < 3; ++tick) EXPECT_EQ(hand.sample(1e-3).X_FM.p.x(), 5);
+}
+
+// Pictures 10 ms apart after one that took 0.1 s: what is behind is caught up with in that time.
+TEST(DirectHand, what_a_slow_picture_is_behind_is_not_caught_up_with_at_once) {
+  const auto x = [](double at) { return Pose{Quat::Identity(), Vec3(at, 0, 0)}; };
+  DirectHand direct(x(0));
+  const Hand hand = direct.hand();
+  double last = 0, fastest = 0;
+  for (int tick = 1; tick <= 400; ++tick) {
+    if (tick % 10 == 0 && (tick < 100 || tick >= 200)) direct.set_target(x(tick));
+    const double now = hand.sample(1e-3).X_FM.p.x();
+    if (tick > 30) fastest = std::max(fastest, now - last);
+    last = now;
+  }
+  EXPECT_LT(fastest, 3) << "the mouse goes at 1 a tick";
+  EXPECT_NEAR(last, 390, 15);
+}
+
+TEST(DirectHand, a_target_that_comes_early_is_gone_to_from_where_the_probe_is) {
+  DirectHand direct({Quat::Identity(), Vec3::Zero()});
+  const Hand hand = direct.hand();
+  const auto go = [&](double x) { direct.set_target({Quat::Identity(), Vec3(x, 0, 0)}); };
+  go(1);
+  hand.sample(1e-3);
+  for (int tick = 1; tick < 10; ++tick) hand.sample(1e-3);
+  go(2);
+  hand.sample(1e-3);
+  for (int tick = 1; tick < 5; ++tick) hand.sample(1e-3);
+  go(1);  // the way to 2 is half gone
+  EXPECT_NEAR(hand.sample(1e-3).X_FM.p.x(), 1.5, 1e-12);
+  // Over 0.8 of the 10 ms that it took to the last one.
+  EXPECT_NEAR(hand.sample(1e-3).X_FM.p.x(), 1.5 - 0.5 / 8, 1e-12);
 }
 
 }  // namespace

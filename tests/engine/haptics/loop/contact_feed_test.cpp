@@ -91,18 +91,23 @@ TEST(ContactFeed, rows_keep_the_separated_pose_and_begin_with_what_holds_it) {
   EXPECT_GT(held, 50);
 }
 
-TEST(ContactFeed, nothing_nearer_than_the_reach_is_without_a_row) {
+/// Of 50 ticks, in how many the rows have a reach, and how many pairs are within it in all.
+struct Reached {
+  int ticks = 0, pairs = 0;
+};
+Reached expect_rows_of_all_within_reach(const Budget& of_rows) {
   const TwoRings bodies;
   std::vector<NearPair> pairs(4096);
-  int near = 0;
+  Reached out;
   ContactFeed feed({bodies.probe, bodies.fixed}, Method::pdg);
   feed.reset(path(0), {});
   for (int i = 0; i <= 50; ++i) {
-    const LocalContacts& contacts = feed.refresh(path(i / 50.0), 0, 0, {});
-    ASSERT_GT(contacts.reach, 0);
+    const LocalContacts& contacts = feed.refresh(path(i / 50.0), 0, 0, {}, of_rows);
+    if (!(contacts.reach > 0)) continue;
+    ++out.ticks;
     const Transform X(contacts.separation.separated);
     const NearPairs all = near_pairs(*bodies.probe, *bodies.fixed, X, contacts.reach, pairs);
-    ASSERT_EQ(all.reach, contacts.reach);
+    EXPECT_EQ(all.reach, contacts.reach);
     // A step of half the reach (as a translation) that every row allows opens every pair.
     for (std::size_t p = 0; p < all.count; ++p) {
       const Vec3 step = -0.5 * contacts.reach * pairs[p].normal;
@@ -114,10 +119,23 @@ TEST(ContactFeed, nothing_nearer_than_the_reach_is_without_a_row) {
         worst = std::min(worst, gap - row.least_gap);
       }
       EXPECT_LT(worst, 0) << "a step straight into the other body that no row forbids";
-      ++near;
+      ++out.pairs;
     }
   }
-  EXPECT_GT(near, 100);
+  return out;
+}
+
+TEST(ContactFeed, nothing_nearer_than_the_reach_is_without_a_row) {
+  const Reached found = expect_rows_of_all_within_reach({});
+  EXPECT_EQ(found.ticks, 51);
+  EXPECT_GT(found.pairs, 100);
+}
+
+// No look at the bodies fits into so little work.
+TEST(ContactFeed, what_has_no_time_for_a_look_has_the_rows_of_the_solver) {
+  const Reached found = expect_rows_of_all_within_reach({.work = 20});
+  EXPECT_GT(found.ticks, 25);
+  EXPECT_GT(found.pairs, 20);
 }
 
 TEST(ContactFeed, a_pose_that_is_none_gives_no_rows_and_the_next_one_works) {

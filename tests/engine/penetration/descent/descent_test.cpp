@@ -3,8 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
+#include "engine/penetration/search/coherent.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/pairs.hpp"
+#include "tests/support/shapes.hpp"
 
 namespace sonde {
 namespace {
@@ -78,6 +83,23 @@ TEST(Descent, what_has_come_far_gets_a_limit_and_says_so) {
     }
   }
   EXPECT_GT(limited, 10);
+}
+
+// A turn is cut into steps of one length, which are no series.
+TEST(Descent, a_long_turn_away_from_everything_takes_few_steps) {
+  const auto probe = test::body(test::box({0.02, 0.03, 0.05})),
+             fixed = test::body(test::box({0.3, 0.3, 0.1}));
+  for (int degrees = 100; degrees <= 140; degrees += 5) {
+    CoherentSolver solver({probe, fixed});
+    solver.reset({Quat::Identity(), Vec3(0, 0, 0.5)});
+    const double half = 0.5 * degrees / 180.0 * std::numbers::pi;
+    const Vec3 axis = std::sin(half) * Vec3(1, 2, 3).normalized();
+    const Pose turned{Quat(std::cos(half), axis.x(), axis.y(), axis.z()), Vec3(0.1, 0, 0.5)};
+    const Separation& there = solver.tick(turned);
+    EXPECT_TRUE(there.converged) << degrees;
+    EXPECT_EQ(there.status, Status::separated) << degrees;
+    EXPECT_LE(there.iterations, 8) << degrees;
+  }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "engine/penetration/descent/descent_tuning.hpp"
 
@@ -40,11 +41,12 @@ Vec6 in_series(double first, double ratio, int k) {
 }
 
 /// What the pace makes of the last of so many steps of a series, from y on.
-std::optional<Vec6> after_series(Pace& pace, double first, double ratio, int count, const Vec6& y) {
+std::optional<Vec6> after_series(Pace& pace, double first, double ratio, int count, const Vec6& y,
+                                 double most = 1e3) {
   std::optional<Vec6> out;
   for (int k = 0; k < count; ++k) {
     const Vec6 step = pace.damped(in_series(first, ratio, k));
-    out = pace.extrapolated(y, step);
+    out = pace.extrapolated(y, step, most);
     pace.learn(step, {.free_until = 1}, 1e-9, 1);
   }
   return out;
@@ -75,12 +77,25 @@ TEST(Pace, a_sum_does_not_rise_above_the_ceiling) {
   EXPECT_LT(sum->norm(), 10e-3);
 }
 
+TEST(Pace, a_sum_is_no_longer_than_may_be_swept) {
+  Pace pace;
+  const Vec6 far = Vec6(-10 * Vec6::Unit(4));
+  const std::optional<Vec6> sum = after_series(pace, 1e-3, 0.99, 3, far, 4);
+  ASSERT_TRUE(sum);
+  EXPECT_NEAR((*sum - 4 * in_series(1e-3, 0.99, 2)).norm(), 0, 1e-12);
+  Pace short_way;
+  EXPECT_FALSE(after_series(short_way, 1e-3, 0.99, 3, far, 1)) << "not worth a look";
+  Pace alike;
+  EXPECT_FALSE(after_series(alike, 1e-3, 1, 3, far, std::numeric_limits<double>::infinity()))
+      << "steps that neither grow nor shrink have no sum";
+}
+
 TEST(Pace, what_is_no_series_is_not_summed_up) {
   const Vec6 far = Vec6(-10 * Vec6::Unit(4));
   Pace uneven;
   for (const double length : {1.0, 0.9, 0.5, 0.45, 0.3}) {
     const Vec6 step = uneven.damped(length * Vec6::Unit(4));
-    EXPECT_FALSE(uneven.extrapolated(far, step)) << length;
+    EXPECT_FALSE(uneven.extrapolated(far, step, 1e3)) << length;
     uneven.learn(step, {.free_until = 1}, 1e-9, 1);
   }
   // Steps along which |y| rises, which regain gaps.
@@ -96,8 +111,16 @@ TEST(Pace, a_sum_that_was_too_long_ends_the_series) {
   pace.extrapolates = true;
   pace.learn(*sum, {.free_until = 1}, 1e-9, 1);
   const Vec6 back = pace.damped(-1e-4 * Vec6::Unit(4));
-  EXPECT_FALSE(pace.extrapolated(far, back));
+  EXPECT_FALSE(pace.extrapolated(far, back, 1e3));
   EXPECT_FALSE(pace.in_series);
+  // And another begins with three steps.
+  pace.extrapolates = false;
+  pace.learn(back, {.free_until = 1}, 1e-9, 1);
+  for (const double length : {0.9e-4, 0.81e-4}) {
+    const Vec6 step = pace.damped(-length * Vec6::Unit(4));
+    EXPECT_EQ(pace.extrapolated(-far, step, 1e3).has_value(), length < 0.85e-4) << length;
+    pace.learn(step, {.free_until = 1}, 1e-9, 1);
+  }
 }
 
 TEST(Pace, progress_is_counted_and_paths_that_are_cut_short_bend) {
