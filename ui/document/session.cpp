@@ -188,7 +188,6 @@ void Session::place(const Pose& X_FM) {
 
 void Session::begin(const Pose& X_FM) {
   servo_.stop();
-  if (DirectHand* direct = holding_->direct()) direct->place(X_FM);
   if (SimulatedHand* simulated = holding_->simulated()) simulated->place(X_FM);
   if (DeviceHand* device = holding_->device()) device->place(X_FM);
   if (std::holds_alternative<PathHand>(holding_->by))

@@ -21,15 +21,8 @@ Pose DirectHand::now() const noexcept {
   return {rotation_between(from_.q, to_.q, part), from_.p + part * (to_.p - from_.p)};
 }
 
-void DirectHand::place(const Pose& X_FM) {
-  from_ = to_ = X_FM;
-  targets_.fill(X_FM);
-  since_ = 2 * longest_pause;
-  over_ = 0;
-}
-
 Pose DirectHand::next(double dt) noexcept {
-  // The first sample, also after a pause of the loop.
+  // 0: the first sample of a run, as after a place, or after a pause of the loop.
   since_ = dt > 0 ? since_ + dt : 2 * longest_pause;
   if (targets_.update()) {
     from_ = now();

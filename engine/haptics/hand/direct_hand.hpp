@@ -26,8 +26,6 @@ class DirectHand {
   }
   /// To be called from one other thread; the newest call wins.
   void set_target(const Pose& X_FM) { targets_.write(X_FM); }
-  /// Holds the probe there at once. Not while the servo runs.
-  void place(const Pose& X_FM);
 
  private:
   /// `dt` (s) later.

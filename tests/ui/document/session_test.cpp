@@ -50,16 +50,18 @@ TEST_F(SessionTest, of_several_places_the_newest_counts) {
 TEST_F(SessionTest, a_placed_probe_does_not_come_from_where_it_was_dragged) {
   ASSERT_TRUE(first());
   const double free = 4;  // no search
-  for (int i = 0; i < 20; ++i) {
-    session->set_device_pose(at(free + 0.05 * i));
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  for (const bool pauses : {true, false}) {
+    for (int i = 0; i < 20; ++i) {
+      session->set_device_pose(at(free + 0.05 * i));
+      std::this_thread::sleep_for(std::chrono::milliseconds(i < 19 ? 100 : 5));
+    }
+    session->set_paused(pauses);
+    std::this_thread::sleep_for(std::chrono::milliseconds(pauses ? 20 : 0));
+    session->place(at(-free));
+    const Snapshot* now = first();
+    ASSERT_TRUE(now);
+    EXPECT_EQ(now->separation.device.p, at(-free).p) << pauses;
   }
-  session->set_paused(true);
-  std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  session->place(at(-free));
-  const Snapshot* now = first();
-  ASSERT_TRUE(now);
-  EXPECT_EQ(now->separation.device.p, at(-free).p);
 }
 
 TEST_F(SessionTest, what_is_said_while_it_searches_holds_when_it_has_found) {

@@ -56,7 +56,7 @@ TEST(DirectHand, targets_of_one_motion_are_reached_in_the_time_between_them) {
   EXPECT_EQ(hand.sample(1e-3).X_FM.p, target(3).p) << "at once, after a pause";
 }
 
-TEST(DirectHand, a_placed_probe_and_one_after_a_pause_do_not_glide) {
+TEST(DirectHand, the_first_sample_and_one_after_a_pause_do_not_glide) {
   const auto x = [](double at) { return Pose{Quat::Identity(), Vec3(at, 0, 0)}; };
   DirectHand direct(x(0));
   const Hand hand = direct.hand();
@@ -72,7 +72,8 @@ TEST(DirectHand, a_placed_probe_and_one_after_a_pause_do_not_glide) {
   for (int tick = 0; tick < 10; ++tick) hand.sample(1e-3);
   direct.set_target(x(4));
   EXPECT_LT(hand.sample(1e-3).X_FM.p.x(), 4);
-  direct.place(x(5));
+  direct.set_target(x(5));
+  EXPECT_EQ(hand.sample(0).X_FM.p.x(), 5);
   for (int tick = 0; tick < 3; ++tick) EXPECT_EQ(hand.sample(1e-3).X_FM.p.x(), 5);
 }
 
