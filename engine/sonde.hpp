@@ -182,9 +182,10 @@ Answer separate(const Pair& pair, const Pose& X_FM, const Knob& knob, Method met
                 std::uint64_t seed = 1);
 
 /// Follows a moving probe and keeps its separated pose. Each separated pose is reached from the one
-/// before along a path swept free, on which √σ to the new device pose decreases; it may rise by at
-/// most a quarter of the allowed clearance, where the probe regains its gaps. So the probe never
-/// pops through, and the pose may be further away than the nearest one, which separate() finds.
+/// before along a path swept free, on which √σ to the new device pose decreases; it may rise
+/// on the way, to at most a quarter of the allowed clearance above its value at the start of the
+/// motion, where the probe regains its gaps or takes many steps at once. So the probe never pops
+/// through, and the pose may be further away than the nearest one, which separate() finds.
 /// Only one thread at a time may use a follower.
 class Follower {
  public:

@@ -34,7 +34,7 @@ struct LoopTuning {
   /// short the reach. On nut-on-bolt, 17 s, the geometry took 376 and 422 µs in the median if each
   /// refresh tried, 71 and 72 % of the ticks were in step, and the force faded in 399 and 558; with
   /// 3 it was 112 and 119 µs, 90 and 88 %, 305 and 282 ticks; with 5 112 and 100 µs, 93 and 92 %,
-  /// none and 203.)
+  /// none and 203. Two nuts that did not choose it gain nothing: haptic-loop.md.)
   int most_failed_looks = 5;
   /// µs: how far the limit of a refresh grows while answers do not converge (RefreshLimit). With
   /// the rows, whose limit does not grow (budget_of_rows), an answer takes 6.8 ms, and is in use

@@ -78,7 +78,9 @@ struct DescentTuning {
   /// Without this, steps of which obstacles cut off parts count as series: of a cone in its bore
   /// ten ticks did not converge where one did not.)
   double same_ratio = 0.05;
-  double least_extrapolation = 1.5;  ///< steps: a shorter sum is not worth its look at the path
+  /// Steps: a shorter sum is not worth its look at the path. (With 3, a coarse ball in its socket
+  /// takes 6943 steps instead of 6427.)
+  double least_extrapolation = 1.5;
   /// Maximum number of consecutive secant steps: if more are needed, the wanted step is not a
   /// linear function of the pose.
   int most_secants = 3;

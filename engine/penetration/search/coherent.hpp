@@ -13,7 +13,8 @@ class NeighbourList;
 
 /// Follows the separated pose of a moving probe. Each tick moves Q from the last separated pose
 /// along a path that sweeps prove free. On this path, the distance √σ to the new device pose
-/// decreases, except where the probe regains its gaps: there it may rise by at most a quarter of
+/// decreases, except where the probe regains its gaps, and towards the end of a step that sums up a
+/// series of steps: it never exceeds its value at the start of the tick by more than a quarter of
 /// the allowed clearance. The path ends at a KKT point, or when the budget is spent; the result
 /// says which.
 class CoherentSolver {
