@@ -306,7 +306,8 @@ void DocumentControl::show_bodies(const Content& wanted) {
   if (std::exchange(showing_, false)) opener_.abandon();
   const auto given_up = [this] {
     showing_ = false;
-    document_.stack().setIndex(index_on_show_);
+    setup_failed_ = !opener_.is_busy();
+    if (index_on_show_) document_.stack().setIndex(*index_on_show_);
   };
   opener_.make(
       QStringLiteral("Setting the bodies up again"),
@@ -320,6 +321,24 @@ void DocumentControl::show_bodies(const Content& wanted) {
       [show, bodies = wanted.bodies](DrawnSession drawn) { show(std::move(drawn), bodies); },
       given_up);
   showing_ = true;
+}
+
+void DocumentControl::note_index(int index) {
+  // While a command is done or undone the index is still that of before.
+  if (document_.empty()) return;
+  if (document_.content().bodies == on_show_)
+    index_on_show_ = index;
+  else if (index_on_show_ && index <= *index_on_show_ && index == document_.stack().count())
+    index_on_show_.reset();  // a change took the place of that step
+}
+
+/// Where the setting up of bodies is given up and no step has those on show any more, it is done
+/// after all: the view must not show other bodies than the document has.
+void DocumentControl::show_what_was_not(const QString& reason) {
+  const bool failed = std::exchange(setup_failed_, false) && !reason.isEmpty();
+  if (failed || index_on_show_ || showing_ || document_.empty()) return;
+  emit say(QStringLiteral("The bodies are set up again: what was changed since needs them"));
+  show_bodies(document_.content());
 }
 
 }  // namespace sonde::ui

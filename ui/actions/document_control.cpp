@@ -34,10 +34,10 @@ DocumentControl::DocumentControl(Opener& opener, Prompts& prompts, DocumentView 
     : opener_(opener), prompts_(prompts), view_(std::move(view)), recovery_(recovery_folder()) {
   connect(&document_, &Document::changed, this, &DocumentControl::apply);
   connect(&document_.stack(), &QUndoStack::indexChanged, this, [this](int index) {
-    // While a command is done or undone the index is still that of before.
-    if (!document_.empty() && document_.content().bodies == on_show_) index_on_show_ = index;
+    note_index(index);
     emit changed();
   });
+  connect(&opener_, &Opener::failed, this, &DocumentControl::show_what_was_not);
   connect(&watch_, &FileWatch::changed, this, &DocumentControl::file_changed);
   connect(&watch_, &FileWatch::vanished, this, &DocumentControl::file_vanished);
   connect(&recovery_timer_, &QTimer::timeout, this, &DocumentControl::keep_for_recovery);

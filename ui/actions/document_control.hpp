@@ -102,6 +102,8 @@ class DocumentControl : public QObject {
   Pose here() const;  ///< X_FM, of the probe now
   void apply(const Content& from, const Content& to);
   void show_bodies(const Content& wanted);
+  void note_index(int index);
+  void show_what_was_not(const QString& reason);
   void change_bodies(const QString& what, const Content& wanted,
                      std::function<LoadedScene(const Progress&)> open);
   void replace_body(Role role, const QString& file);
@@ -126,8 +128,9 @@ class DocumentControl : public QObject {
   Document document_;
   std::optional<DrawnSession> ready_;      ///< of a command that is about to be done
   std::shared_ptr<const Bodies> on_show_;  ///< the bodies of the session
-  int index_on_show_ = 0;                  ///< of the undo stack, with these
+  std::optional<int> index_on_show_ = 0;   ///< of the undo stack, with these; none: it is gone
   bool showing_ = false;                   ///< others are being set up, after an undo or redo
+  bool setup_failed_ = false;              ///< of those
   bool reading_scene_ = false;             ///< again, from its file
   FileWatch watch_;
   Recovery recovery_;

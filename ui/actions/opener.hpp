@@ -38,6 +38,8 @@ class Opener : public QObject {
                    std::function<void(DrawnSession)> done);
   /// Abandons the present work; its end is not reported.
   void abandon() { given_up_ = {}, job_.abandon(); }
+  /// Whether something is being opened. In `given_up`: whether that is for something else.
+  bool is_busy() const { return job_.running(); }
   /// Opens files that were dropped, or given on a command line: one scene, or the probe and the
   /// fixed body.
   void open_files(const QStringList& files, std::optional<double> unit);
