@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "engine/base/phase_timer.hpp"
 #include "engine/body/body.hpp"
@@ -13,6 +14,7 @@
 #include "engine/penetration/descent/result.hpp"
 #include "engine/penetration/search/free_region.hpp"
 #include "engine/penetration/search/static_search.hpp"
+#include "engine/penetration/search/touching.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 #include "engine/proximity/queries/near_pairs.hpp"
 #include "engine/proximity/queries/placement.hpp"
@@ -61,6 +63,8 @@ struct CoherentSolver::State {
   Separation last;
   Pose device;     ///< the last device pose that was not refused
   Pose separated;  ///< the last separated pose: free
+  /// Where the first tick in which the device moves begins, if `separated` touches within rounding.
+  std::optional<Pose> lifted;
   bool started = false;
   bool behind = false;  ///< after a jump of the device, the probe has not yet reached its optimum
   /// Share of the allowed clearance: the largest distance of the last pose above its contacts.
@@ -220,6 +224,7 @@ const Separation& CoherentSolver::reset(const Pose& X_FM, const StaticOptions& o
   s.device = s.last.device;
   s.separated = s.last.separated;
   s.descent.forget();
+  s.lifted = s.started ? lifted_off(s.probe, s.fixed, s.separated, s.method) : std::nullopt;
   s.free_region.forget();
   s.ids.forget();
   s.ids.follow(s.last.separated, s.probe.mass.radius, s.last.clusters);
@@ -242,6 +247,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   if (s.stays_free(device)) return s.last;
   s.times = {};
   const double moved = s.device_motion(device);
+  if (s.lifted && moved > 0) s.separated = *std::exchange(s.lifted, std::nullopt);
   Effort effort = s.effort_of(budget, moved);
   Chart chart(s.probe.mass, device);
   chart.absorb_free_spin(s.separated);

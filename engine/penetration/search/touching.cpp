@@ -2,6 +2,7 @@
 #include "engine/penetration/search/touching.hpp"
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "engine/penetration/contact/least_distance.hpp"
@@ -41,13 +42,21 @@ class Touch {
     return !contacts_.empty();
   }
 
-  std::optional<Separation> come_free(Method method) const {
+  /// Whether the contacts leave room for a sweep to begin.
+  bool has_room() const {
+    return std::ranges::all_of(contacts_, [this](const Contact& c) {
+      return c.gap >= touching_tuning.room_for_sweep * rounding_;
+    });
+  }
+
+  /// By the first of these gaps, in rounding errors, at which the probe is free.
+  std::optional<Separation> come_free(Method method, std::span<const double> gaps) const {
     std::vector<HalfSpace> rows;
     for (const Contact& c : contacts_) {
       rows.push_back({chart_.row(Vec6::Zero(), c.on_probe, c.normal), 0});
       if (method == Method::pdt) rows.back().normal.head<3>().setZero();
     }
-    for (const double gap : touching_tuning.gaps) {
+    for (const double gap : gaps) {
       for (std::size_t i = 0; i < rows.size(); ++i)
         rows[i].bound = gap * rounding_ - contacts_[i].gap;
       const LeastDistance nearest =
@@ -116,14 +125,23 @@ std::optional<Separation> touching_separation(const Body& probe, const Body& fix
                                               const Pose& X_FM, Method method) {
   Touch touch(probe, fixed, X_FM);
   if (!touch.find_contacts()) return std::nullopt;
-  std::optional<Separation> out = touch.come_free(method);
+  std::optional<Separation> out = touch.come_free(method, touching_tuning.gaps);
   if (!out) return out;
   if (method == Method::pdt) {
     out->pdt = out->depth;
-  } else if (const auto translated = touch.come_free(Method::pdt)) {
+  } else if (const auto translated = touch.come_free(Method::pdt, touching_tuning.gaps)) {
     out->pdt = std::max(out->depth, translated->depth);
   }
   return out;
+}
+
+std::optional<Pose> lifted_off(const Body& probe, const Body& fixed, const Pose& X_FM,
+                               Method method) {
+  Touch touch(probe, fixed, X_FM);
+  if (!touch.find_contacts() || touch.has_room()) return std::nullopt;
+  const auto lifted = touch.come_free(method, std::span(touching_tuning.gaps).last(1));
+  if (!lifted) return std::nullopt;
+  return lifted->separated;
 }
 
 }  // namespace sonde

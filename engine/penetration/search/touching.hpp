@@ -18,4 +18,13 @@ namespace sonde {
 std::optional<Separation> touching_separation(const Body& probe, const Body& fixed,
                                               const Pose& X_FM, Method method);
 
+/// The pose beside a free one that touches the fixed body within rounding, moved from the contacts
+/// to the gap that a descent keeps at least, and free by the exact test. A sweep that begins
+/// nearer could not tell the contacts from overlaps, whichever way it went. No value if the
+/// contacts leave room already, or if no motion that small gives it, as for a peg exactly as large
+/// as its hole. Allocates.
+/// @pre The bodies do not overlap at X_FM, whose quaternion is unit.
+std::optional<Pose> lifted_off(const Body& probe, const Body& fixed, const Pose& X_FM,
+                               Method method);
+
 }  // namespace sonde

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/penetration/search/coherent.hpp"
 #include "engine/penetration/search/static_search.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "tests/engine/penetration/separation_checks.hpp"
@@ -349,6 +350,37 @@ TEST(Touching, its_neighbours_are_separated_and_as_deep_as_they_were_moved_in) {
     EXPECT_LE(turned.depth, deep.depth * (1 + 1e-3)) << touch.name;
     EXPECT_TRUE(turned.contacts.size > 0 && deep.contacts.size > 0) << touch.name;
   }
+}
+
+// Reference: by hand. What starts in touch, as assembled parts do, follows a device that presses,
+// one that slides while it presses, and one that leaves: never deeper than it is pressed in, and
+// free where it is out.
+TEST(Touching, a_probe_that_starts_there_follows_the_device) {
+  std::mt19937_64 random(3);
+  int k = 0;
+  for (const Touch& touch : all())
+    for (const Method method : {Method::pdg, Method::pdt})
+      for (const double start : {-0.25, 0.0, 0.5}) {
+        const Placed at(touch, scales[k++ % 4], random);
+        const double R = at.probe->mass.radius, way = 1e-3 * R;
+        const std::string what =
+            touch.name + " " + name_of(method) + " from " + std::to_string(start);
+        CoherentSolver solver({at.probe, at.fixed}, method);
+        ASSERT_LE(solver.reset(at.off(start * at.rounding)).depth, 12 * at.rounding) << what;
+        const auto depth_at = [&](const Pose& device) {
+          for (int tick = 0; tick < 3; ++tick) solver.tick(device);
+          EXPECT_TRUE(solver.last().converged) << what;
+          return solver.last().depth;
+        };
+        EXPECT_LE(depth_at(at.off(-way)), way * (1 + 1e-3)) << what;
+        EXPECT_GT(solver.last().depth, (method == Method::pdt ? 0.1 : 0.05) * way) << what;
+        if (touch.unique && at.normals.size() == 1) {
+          Pose aside = at.off(-way);
+          aside.p += 5 * way * at.out.unitOrthogonal();
+          EXPECT_LE(depth_at(aside), way * (1 + 1e-3)) << what;
+        }
+        EXPECT_EQ(depth_at(at.off(way)), 0) << what;
+      }
 }
 
 // Reference: by hand. An overlap far below the clearance is told to rounding all the same.
