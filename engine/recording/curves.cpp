@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "engine/base/error.hpp"
 #include "engine/base/numbers.hpp"
@@ -43,7 +44,6 @@ constexpr double break_periods = 20;  // of a slow servo
 class GatheredTicks {
  public:
   void add(double time, float value) {
-    if (std::isnan(value)) return;
     if (!any_ || value < low_.value) low_ = {time, value};
     if (!any_ || value > high_.value) high_ = {time, value};
     any_ = true;
@@ -107,12 +107,20 @@ std::vector<CurvePoint> Curves::outline(Curve curve, double from, double to,
   GatheredTicks gathered;
   double column = -1;
   const double longest = std::max(longest_line_, part);  // a shorter break is not seen
+  std::optional<double> known;                           // time of the last value
+  bool missing = false;                                  // since then
   for (auto time = begin; time != end; ++time, ++value) {
     const double now = std::floor((*time - from) / part);
     if (now != column) gathered.end(out);
     column = now;
-    if (time != begin && *time - *(time - 1) > longest)
-      out.push_back({(*time + *(time - 1)) / 2, no_number});
+    if (std::isnan(*value)) {
+      missing = true;
+      continue;
+    }
+    if (known && *time - *known > (missing ? part : longest))
+      out.push_back({(*time + *known) / 2, no_number});
+    known = *time;
+    missing = false;
     gathered.add(*time, *value);
   }
   gathered.end(out);

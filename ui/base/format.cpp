@@ -12,6 +12,17 @@
 #include "engine/text/printable.hpp"
 
 namespace sonde::ui {
+namespace {
+
+constexpr int most_decimals = 6;
+
+/// Never "-0.00".
+QString fixed_text(double value, int decimals) {
+  const QString text = QString::number(value, 'f', decimals);
+  return text.toDouble() == 0 ? QString::number(0.0, 'f', decimals) : text;
+}
+
+}  // namespace
 
 LengthUnit::LengthUnit(double radius) {
   if (radius < 1e-3) {
@@ -25,16 +36,25 @@ LengthUnit::LengthUnit(double radius) {
     metres_ = 1;
   }
   const double resolution = 1e-4 * std::max(radius, 1e-12) / metres_;
-  decimals_ = std::clamp(static_cast<int>(std::ceil(-std::log10(resolution))), 0, 6);
+  decimals_ = std::clamp(static_cast<int>(std::ceil(-std::log10(resolution))), 0, most_decimals);
+  rounding_ = 1e-10 * radius / metres_;
 }
 
 QString LengthUnit::text(double metres) const {
-  return QString::number(metres / metres_, 'f', decimals_) + ' ' + name_;
+  const double value = metres / metres_, size = std::abs(value);
+  const double two_digits = std::pow(10, 1 - decimals_);
+  // What is small but not 0 must not read as 0.
+  if (size >= two_digits || size <= rounding_ || !std::isfinite(value))
+    return fixed_text(value, decimals_) + ' ' + name_;
+  const int decimals = 1 - static_cast<int>(std::floor(std::log10(size)));
+  return (decimals <= most_decimals ? fixed_text(value, decimals)
+                                    : QString::number(value, 'e', 1)) +
+         ' ' + name_;
 }
 
 QString LengthUnit::text(const Vec3& x) const {
   QStringList texts;
-  for (const double each : x) texts << QString::number(each / metres_, 'f', decimals_);
+  for (const double each : x) texts << fixed_text(each / metres_, decimals_);
   return texts.join(QStringLiteral(", ")) + ' ' + name_;
 }
 

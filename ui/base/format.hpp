@@ -20,7 +20,9 @@ class LengthUnit {
   explicit LengthUnit(double radius = 0.05);
   const QString& name() const { return name_; }
   double metres() const { return metres_; }
-  /// "1.234 mm", with decimals that resolve about 1e-4 of the radius.
+  /// "1.234 mm", with decimals that resolve about 1e-4 of the radius. A shorter length has two
+  /// digits, "0.00042 mm", "3.1e-08 mm", and is 0 only below 1e-10 of the radius, which is
+  /// rounding.
   QString text(double metres) const;
   /// "1.234, -0.200, 0.000 mm".
   QString text(const Vec3& x) const;
@@ -29,6 +31,7 @@ class LengthUnit {
   QString name_;
   double metres_;
   int decimals_;
+  double rounding_;  ///< in this unit
 };
 
 inline QString text(const std::string& utf8) { return QString::fromStdString(utf8); }

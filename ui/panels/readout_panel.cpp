@@ -39,6 +39,28 @@ void show_components(QLabel& value, const QString& unit, const Vec3& x) {
       ->setText(QStringLiteral("x, y, z, ") + (small ? QStringLiteral("m") : QString()) + unit);
 }
 
+/// Why force and torque are less than the coupling asks for.
+QString reasons(const QString& of_force, const QString& of_torque) {
+  if (of_force == of_torque)
+    return of_force.isEmpty() ? of_force : QStringLiteral("force and torque: ") + of_force;
+  QStringList each;
+  if (!of_force.isEmpty()) each << QStringLiteral("force: ") + of_force;
+  if (!of_torque.isEmpty()) each << QStringLiteral("torque: ") + of_torque;
+  return each.join(QStringLiteral("; "));
+}
+
+/// Faint text with room for two lines, so that nothing below moves when they come and go.
+QLabel* remark(QFormLayout& form, const char* object) {
+  auto* label = new QLabel(form.parentWidget());
+  label->setObjectName(QLatin1String(object));
+  label->setWordWrap(true);
+  label->setForegroundRole(QPalette::PlaceholderText);
+  label->setMinimumHeight(2 * label->fontMetrics().lineSpacing());
+  label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  form.addRow(label);
+  return label;
+}
+
 QFormLayout* form_in(QVBoxLayout& layout, QWidget* group) {
   auto* form = new QFormLayout(group);
   form->setContentsMargins(0, 4, 0, 0);
@@ -122,14 +144,7 @@ void ReadoutPanel::build_ways(QVBoxLayout& layout) {
   bound_ = value(*form, QStringLiteral("at least"), "bound_value",
                  QStringLiteral("A lower bound: no shorter motion separates the two. And its ratio "
                                 "to the nearest way out."));
-  why_ = new QLabel(group);
-  why_->setObjectName(QStringLiteral("why_value"));
-  why_->setWordWrap(true);
-  why_->setForegroundRole(QPalette::PlaceholderText);
-  // Room for two lines, so that nothing below moves when they come and go.
-  why_->setMinimumHeight(2 * why_->fontMetrics().lineSpacing());
-  why_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  form->addRow(why_);
+  why_ = remark(*form, "why_value");
 }
 
 void ReadoutPanel::build_wrench(QVBoxLayout& layout) {
@@ -148,6 +163,7 @@ void ReadoutPanel::build_wrench(QVBoxLayout& layout) {
                                        "through the probe's centre of mass."));
   torque_bar_ = new Bar(group);
   form->addRow(torque_bar_);
+  lessened_ = remark(*form, "lessened_value");
   force_plot_ = new HistoryPlot(QStringLiteral("force"), colour::force, group);
   force_plot_->set_unit(1, QStringLiteral("N"));
   form->addRow(force_plot_);
@@ -280,14 +296,11 @@ void ReadoutPanel::show_wrench(const Snapshot& snapshot) {
   const Wrench& wrench = snapshot.wrench;
   const HandState& hand = snapshot.hand;
   const double force = wrench.force.norm(), torque = wrench.torque.norm();
-  const auto with_reason = [&](const QString& value, Lessened by) {
-    const QString why = lessened_text(by, hand.share);
-    return why.isEmpty() ? value : QStringLiteral("%1 (%2)").arg(value, why);
-  };
-  force_->setText(with_reason(number(force) + QStringLiteral(" N"),
-                              force_lessened(wrench, hand, snapshot.coupling)));
-  torque_->setText(with_reason(number(torque) + QStringLiteral(" N·m"),
-                               torque_lessened(wrench, hand, snapshot.coupling)));
+  force_->setText(number(force) + QStringLiteral(" N"));
+  torque_->setText(number(torque) + QStringLiteral(" N·m"));
+  lessened_->setText(
+      reasons(lessened_text(force_lessened(wrench, hand, snapshot.coupling), hand.share),
+              lessened_text(torque_lessened(wrench, hand, snapshot.coupling), hand.share)));
   show_components(*force_parts_, QStringLiteral("N"), wrench.force);
   show_components(*torque_parts_, QStringLiteral("N·m"), wrench.torque);
   force_bar_->set({{force / coupling_.max_force, colour::force}});

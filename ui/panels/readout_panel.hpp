@@ -49,7 +49,8 @@ class ReadoutPanel : public QDockWidget {
   LengthUnit unit_;
   Coupling coupling_;
   QLabel *depth_, *translation_, *rotation_, *screw_, *nearest_, *why_, *pdt_, *bound_, *force_,
-      *torque_, *contacts_, *force_parts_, *torque_parts_, *tick_, *rate_, *late_, *steps_;
+      *torque_, *contacts_, *force_parts_, *torque_parts_, *lessened_, *tick_, *rate_, *late_,
+      *steps_;
   Bar *split_, *force_bar_, *torque_bar_;
   HistoryPlot *depth_plot_, *force_plot_;
 };

@@ -10,6 +10,7 @@
 #include <QSaveFile>
 #include <QStatusBar>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -315,9 +316,27 @@ void MainWindow::draw_if_changed() {
   ++frames_;
 }
 
-/// PD_t and the lower bound, in their own thread, and only while they are shown.
+/// Whether anything shows or keeps what the searches beside the ticks find.
+bool MainWindow::wants_search() const {
+  const std::array layers{Layer::nearest, Layer::straight, Layer::bound};
+  return readout_->isVisible() || history_->plots().isVisible() ||
+         history_->recorder().recording() ||
+         std::ranges::any_of(layers, [&](Layer each) { return viewport_->shown(each); });
+}
+
+/// From here on, nothing is known of the nearest way out: what was found last is of another pose.
+void MainWindow::end_search() {
+  if (!search_.newest()) return;
+  BackgroundResult nothing;
+  nothing.device = search_.newest()->device;
+  history_->add(nothing);
+  search_.forget();
+}
+
+/// PD_t and the lower bound, in their own thread, and only while they are shown or recorded.
 void MainWindow::ask_search() {
-  if (!readout_->isVisible() || session()->paused()) return;
+  if (session()->paused()) return;
+  if (!wants_search()) return end_search();
   if (const auto result = session()->searched()) {
     const bool drawn = viewport_->shown(Layer::nearest) || viewport_->shown(Layer::straight) ||
                        viewport_->shown(Layer::bound);

@@ -165,6 +165,8 @@ class MainWindow : public QMainWindow {
   void tell_longer(const QString& what);
   bool open_recording(const QStringList& files);
   void open_one_mesh(const QString& file);
+  bool wants_search() const;
+  void end_search();
   void ask_search();
   void show_numbers();
   void show_status();

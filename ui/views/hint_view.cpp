@@ -16,7 +16,8 @@ namespace {
 
 constexpr int margin = 14;
 constexpr int fade_ms = 600;
-constexpr double triad_size = 70;                         // pixels
+constexpr double least_room = 0.45;  // share of the view that hint and legend leave to the bodies
+constexpr double triad_size = 70;    // pixels
 constexpr double course_width = 150, course_height = 34;  // pixels
 const QColor plate(14, 17, 21, 165), light_plate(255, 255, 255, 240);
 
@@ -141,8 +142,9 @@ void HintView::set_legend_visible(bool visible) {
 }
 
 void HintView::fade() {
+  const bool any = is_hint_on() || is_legend_on();
   hint_visible_ = legend_visible_ = false;
-  fading_.start();
+  if (any) fading_.start();
 }
 
 void HintView::set_triad(const std::array<Vec3, 3>& axes) {
@@ -178,8 +180,8 @@ void HintView::paintEvent(QPaintEvent* event) {
   draw_labels(painter);
   const bool fading = fading_.state() == QAbstractAnimation::Running;
   if (fading) painter.setOpacity(fading_.currentValue().toDouble());
-  if ((legend_visible_ || fading) && touched(legend_plate())) draw_legend(painter);
-  if (hint_visible_ || fading)
+  if ((is_legend_on() || fading) && touched(legend_plate())) draw_legend(painter);
+  if (is_hint_on() || fading)
     if (const Hint hint = laid_out_hint(); touched(hint.plate)) draw_hint(painter, hint);
   painter.setOpacity(1);
   draw_triad(painter);
@@ -203,7 +205,25 @@ QRectF HintView::legend_plate() const {
   return {margin, top, width, (metrics.height() + 2) * double(legend_.size()) + 10};
 }
 
-QRectF HintView::legend_box() const { return legend_visible_ ? legend_plate() : QRectF(); }
+QRectF HintView::legend_box() const { return is_legend_on() ? legend_plate() : QRectF(); }
+
+/// The hint first, since the legend names what is seen.
+bool HintView::is_hint_on() const {
+  return hint_visible_ && (insists_ || room_beside(legend_visible_ ? legend_plate() : QRectF(),
+                                                   laid_out_hint().plate.top()) >= least_room);
+}
+
+bool HintView::is_legend_on() const {
+  return legend_visible_ &&
+         (insists_ || is_hint_on() || room_beside(legend_plate(), height()) >= least_room);
+}
+
+/// The share of the view below the legend, or right of it, down to `bottom`.
+double HintView::room_beside(const QRectF& legend, double bottom) const {
+  const double wide = std::max(1, width()), tall = std::max(1, height());
+  return std::max((bottom - legend.bottom()) / tall,
+                  (wide - legend.right()) / wide * (bottom / tall));
+}
 
 void HintView::draw_legend(QPainter& painter) const {
   if (legend_.empty()) return;
@@ -248,7 +268,7 @@ void HintView::draw_hint(QPainter& painter, const Hint& hint) const {
   }
 }
 
-double HintView::hint_top() const { return hint_visible_ ? laid_out_hint().plate.top() : height(); }
+double HintView::hint_top() const { return is_hint_on() ? laid_out_hint().plate.top() : height(); }
 
 std::vector<QRectF> HintView::clear_areas() const {
   const double bottom = hint_top();
@@ -264,7 +284,7 @@ std::vector<QRectF> HintView::clear_areas() const {
 std::vector<QRectF> HintView::boxes() const {
   std::vector<QRectF> taken{legend_box(), ruler_box(), banner_box(banner_), scale_box(),
                             triad_box()};
-  if (hint_visible_) taken.push_back(laid_out_hint().plate);
+  if (is_hint_on()) taken.push_back(laid_out_hint().plate);
   std::erase_if(taken, [](const QRectF& box) { return box.isEmpty(); });
   return taken;
 }
@@ -294,7 +314,7 @@ QRegion HintView::label_region() const {
 void HintView::draw_labels(QPainter& painter) const {
   const std::vector<QRectF> boxes = label_boxes();
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    if (labels_[i].text.isEmpty()) continue;
+    if (labels_[i].text.isEmpty() || boxes[i].isEmpty()) continue;
     draw_plate(painter, boxes[i], palette());
     const QColor own = readable(labels_[i].colour, palette());
     const ForceNote& note = labels_[i].note;

@@ -59,6 +59,9 @@ class HintView : public QWidget {
   const QString& banner() const { return banner_; }
   void set_hint_visible(bool visible);
   void set_legend_visible(bool visible);
+  /// Hint and legend are on show even where they leave the bodies less than half of the view, since
+  /// they were asked for. At first they give way there: the hint first.
+  void set_insists(bool insists) { insists_ = insists; }
   /// Hint and legend go in half a second. What is laid out has their room at once.
   void fade();
   /// The axes of the fixed body as they are seen, unit: right, up and to the eye.
@@ -85,6 +88,9 @@ class HintView : public QWidget {
  private:
   struct Hint;
   Hint laid_out_hint() const;
+  bool is_hint_on() const;
+  bool is_legend_on() const;
+  double room_beside(const QRectF& legend, double bottom) const;
   double hint_top() const;  ///< the view's bottom where there is no hint
   QRectF legend_plate() const;
   QRectF legend_box() const;
@@ -108,7 +114,7 @@ class HintView : public QWidget {
   QString ruler_text_;
   QString banner_;
   ColourScale scale_;
-  bool hint_visible_ = true, legend_visible_ = true;
+  bool hint_visible_ = true, legend_visible_ = true, insists_ = false;
   std::array<Vec3, 3> triad_{};
   QVariantAnimation fading_;  ///< of both, while they are seen and do not count any more
 };

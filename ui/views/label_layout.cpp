@@ -11,6 +11,7 @@ namespace {
 
 constexpr double edge = 2;          // pixels kept clear along the view's edges
 constexpr double sample = 3;        // along a stroke
+constexpr int seen_samples = 64;    // of one piece of a stroke
 constexpr double stroke_cost = 40;  // pixels covered, for each sample of a stroke: about its width
 
 /// Beside the point first, as text is read; then above and below, then further off.
@@ -47,6 +48,17 @@ double covered(const QRectF& box, const QPolygonF& stroke) {
   return cost;
 }
 
+/// Whether its point or a part of its stroke lies in the view.
+bool is_seen(const LabelToPlace& label, const QRectF& view) {
+  if (view.contains(label.at)) return true;
+  for (int i = 1; i < label.stroke.size(); ++i) {
+    const QLineF piece(label.stroke[i - 1], label.stroke[i]);
+    for (int k = 0; k <= seen_samples; ++k)
+      if (view.contains(piece.pointAt(double(k) / seen_samples))) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<QRectF> place_labels(const std::vector<LabelToPlace>& labels,
@@ -54,6 +66,10 @@ std::vector<QRectF> place_labels(const std::vector<LabelToPlace>& labels,
   std::vector<QRectF> boxes;
   for (const LabelToPlace& label : labels) {
     QRectF best;
+    if (!is_seen(label, QRectF({}, view))) {
+      boxes.push_back(best);
+      continue;
+    }
     double least = std::numeric_limits<double>::infinity();
     for (const QRectF& place : places_for(label, view)) {
       double cost = 0;

@@ -16,7 +16,8 @@ struct LabelToPlace {
 };
 
 /// A box for each label, inside the view: beside its point, clear of taken parts, of all strokes,
-/// and of the labels before it. Where there is no such place nearby, the one that covers least.
+/// and of the labels before it. Where there is no such place nearby, the one that covers least. An
+/// empty box for what is not in the view, neither its point nor a part of its line.
 std::vector<QRectF> place_labels(const std::vector<LabelToPlace>& labels,
                                  const std::vector<QRectF>& taken, const QSizeF& view);
 

@@ -240,6 +240,7 @@ void Viewport::set_shown(Layer layer, bool shown) {
   Scenery& s = *scenery_;
   s.shown[static_cast<std::size_t>(layer)] = shown;
   if (layer == Layer::hint) {
+    s.hints->set_insists(shown);
     s.hints->set_hint_visible(shown);
     s.hints->set_legend_visible(shown);
     if (s.pair && is_as_fitted()) fit();

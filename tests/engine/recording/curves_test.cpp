@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "tests/engine/recording/made_up_ticks.hpp"
@@ -119,6 +120,26 @@ TEST(Curves, are_broken_where_nothing_is_known_of_the_time_between) {
 TEST(Curves, are_lines_along_a_path_however_far_apart_its_poses_are) {
   const auto outline = curves_of(with_a_gap(true)).outline(Curve::force, 0, 3, 100);
   for (const CurvePoint& point : outline) EXPECT_FALSE(std::isnan(point.value)) << point.time;
+}
+
+/// A search is known for the first and the last fifth of a second only.
+TEST(Curves, are_broken_where_a_value_is_missing) {
+  BackgroundResult search = made_up_search(1);
+  search.nearest = FoundSeparation{0.25, {}};
+  BackgroundResult none;
+  none.device = search.device;
+  for (const double longest : {0.1, std::numeric_limits<double>::infinity()}) {
+    Curves curves(0, longest);
+    for (const Snapshot& tick : made_up_ticks(1000))
+      curves.add(tick, tick.time, tick.time < 0.2 || tick.time > 0.8 ? &search : &none);
+    const auto outline = curves.outline(Curve::nearest, 0, 1, 100);
+    const auto is_break = [](const CurvePoint& point) { return std::isnan(point.value); };
+    ASSERT_EQ(std::ranges::count_if(outline, is_break), 1);
+    EXPECT_NEAR(std::ranges::find_if(outline, is_break)->time, 0.5, 0.01);
+    EXPECT_EQ(std::ranges::count_if(curves.outline(Curve::force, 0, 1, 100), is_break), 0);
+    EXPECT_EQ(std::ranges::count_if(curves.outline(Curve::nearest, 0, 90, 100), is_break), 0)
+        << "it is not seen there";
+  }
 }
 
 TEST(Curves, of_a_log_are_those_of_its_ticks) {

@@ -26,7 +26,20 @@ TEST(Format, components_have_the_decimals_of_their_length) {
   EXPECT_EQ(components_text({0, 0, 0}), "0, 0, 0");
 }
 
+TEST(Format, a_length_is_zero_only_where_it_is) {
+  EXPECT_EQ(LengthUnit(0.5).text(1e-6), QStringLiteral("0.0010 mm"));
+  EXPECT_EQ(LengthUnit(0.5).text(2.34e-4), QStringLiteral("0.23 mm"));
+  EXPECT_EQ(LengthUnit(0.05).text(-4.27e-8), QStringLiteral("-0.000043 mm"));
+  EXPECT_EQ(LengthUnit(0.05).text(3.14e-11), QStringLiteral("3.1e-08 mm"));
+  EXPECT_EQ(LengthUnit(0.05).text(9.96e-8), QStringLiteral("0.000100 mm"));
+  EXPECT_EQ(LengthUnit(0.05).text(-3e-12), QStringLiteral("0.000 mm")) << "rounding";
+  EXPECT_EQ(LengthUnit(0.05).text(0.0), QStringLiteral("0.000 mm"));
+  EXPECT_EQ(LengthUnit(40).text(1e-6), QStringLiteral("1.0e-06 m"));
+  EXPECT_EQ(LengthUnit(2e-5).text(1e-10), QStringLiteral("0.00010 µm"));
+}
+
 TEST(Format, a_point_has_one_unit) {
+  EXPECT_EQ(LengthUnit(0.05).text(Vec3(1e-9, -1e-9, -0.5)), "0.000, 0.000, -500.000 mm");
   EXPECT_EQ(LengthUnit(0.05).text(Vec3(1e-3, -2e-4, 0)), "1.000, -0.200, 0.000 mm");
 }
 

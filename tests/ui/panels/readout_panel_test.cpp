@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QDockWidget>
 #include <QLabel>
 
@@ -123,11 +124,29 @@ TEST_F(ReadoutPanelTest, a_force_has_its_size_its_parts_and_why_it_is_less) {
   EXPECT_EQ(text("torque_parts_value"), "0, 0, 50.0") << "in mN·m: narrower";
   snapshot.coupling.max_force = 5;
   panel->show_numbers({snapshot, {}});
-  EXPECT_EQ(text("force_value"), "5.00 N (limit)");
-  EXPECT_EQ(text("torque_value"), "0.0500 N·m");
+  EXPECT_EQ(text("force_value"), "5.00 N");
+  EXPECT_EQ(text("lessened_value"), "force: limit");
   snapshot.hand.share = 0.25;
   panel->show_numbers({snapshot, {}});
-  EXPECT_EQ(text("force_value"), "5.00 N (coming in, 25 %)");
+  EXPECT_EQ(text("lessened_value"), "force and torque: coming in, 25 %");
+}
+
+/// In a dock as narrow as it gets, on two lines, and nothing moves when it comes and goes.
+TEST_F(ReadoutPanelTest, a_reason_is_never_cut_off) {
+  panel->resize(panel->minimumSizeHint());
+  panel->show();
+  panel->show_numbers({snapshot, {}});
+  const QLabel* reason = panel->findChild<QLabel*>("lessened_value");
+  const int before = reason->height();
+  snapshot.wrench.force = Vec3(3, -4, 0);
+  snapshot.wrench.torque = Vec3(0, 0, 0.05);
+  snapshot.hand.asked = snapshot.wrench;
+  snapshot.hand.share = 0.25;
+  panel->show_numbers({snapshot, {}});
+  QApplication::processEvents();
+  ASSERT_FALSE(reason->text().isEmpty());
+  EXPECT_LE(reason->heightForWidth(reason->width()), reason->height());
+  EXPECT_EQ(reason->height(), before);
 }
 
 TEST_F(ReadoutPanelTest, the_loop_tells_its_times_unless_it_has_no_clock_or_is_paused) {

@@ -5,12 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QDockWidget>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
 #include <QStatusBar>
 #include <QTest>
 #include <QTreeWidget>
+#include <cmath>
 
 #include "tests/ui/window_fixture.hpp"
 #include "ui/actions/history_control.hpp"
@@ -83,6 +85,36 @@ TEST_F(NoSurprise, the_view_says_the_time_of_the_tick_that_the_timeline_shows) {
         << hints->banner().toStdString() << " | " << text("timeline_text").toStdString();
     EXPECT_EQ(time(hints->banner()), QString::number(shown().time, 'f', 3));
   }
+}
+
+/// Reference: by hand. The cube reaches that far into the other, and no motion out is shorter than
+/// nothing or longer than straight back. With the readout folded, the plots show what is, and with
+/// both folded nothing is known.
+TEST_F(NoSurprise, the_nearest_way_out_is_that_of_the_present_pose_whatever_dock_is_folded) {
+  open_cubes();
+  const auto plotted = [this] {
+    const Curves& curves = window->history().recorder().curves();
+    return curves.at(Curve::nearest, curves.last_time());
+  };
+  const auto reach = [this](double depth) {
+    Pose moved = window->session()->device_pose();
+    moved.p.x() = 0.1 - depth;
+    window->set_device_pose(moved);
+  };
+  const auto comes_to = [&](double depth) {
+    reach(depth);
+    return wait_until([&] { return plotted() <= depth * (1 + 1e-4) && plotted() > 0.5 * depth; });
+  };
+  ASSERT_TRUE(comes_to(8e-3));
+  find<QDockWidget>("plots_panel")->show();
+  find<QDockWidget>("readout_panel")->hide();
+  ASSERT_TRUE(wait_until([this] { return !find<QDockWidget>("readout_panel")->isVisible(); }));
+  EXPECT_TRUE(comes_to(3e-3)) << plotted();
+  find<QDockWidget>("plots_panel")->hide();
+  reach(6e-3);
+  EXPECT_TRUE(wait_until([&] { return std::isnan(plotted()); }));
+  act("show_nearest");
+  EXPECT_TRUE(comes_to(5e-3)) << plotted();
 }
 
 TEST_F(NoSurprise, record_says_since_when) {

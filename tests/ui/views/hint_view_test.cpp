@@ -49,6 +49,28 @@ TEST_F(HintViewTest, areas_are_clear_of_legend_banner_and_hint_and_grow_when_the
   EXPECT_EQ(hints->clear_areas(), before);
 }
 
+/// In a small view they give way to the bodies, the hint first, unless they were asked for.
+TEST_F(HintViewTest, hint_and_legend_leave_the_bodies_about_half_of_the_view) {
+  std::vector<LegendLine> legend;
+  for (int i = 0; i < 7; ++i) legend.push_back({Qt::red, "a fixed body of several parts, solid"});
+  hints->set_legend(legend);
+  const auto shown_in = [&](const QSize& size) {
+    hints->resize(size);
+    const std::vector<QRectF> areas = hints->clear_areas();
+    const auto part = [&](const QRectF& area) {
+      return area.width() * area.height() / (size.width() * size.height());
+    };
+    const double most = std::max(part(areas[0]), part(areas[1]));
+    EXPECT_GT(most, 0.4) << size.width() << " x " << size.height();
+    return hints->boxes().size();
+  };
+  EXPECT_EQ(shown_in({800, 600}), 3u) << "legend, axes, hint";
+  EXPECT_EQ(shown_in({480, 355}), 2u) << "without the hint";
+  EXPECT_EQ(shown_in({300, 220}), 1u) << "the axes alone";
+  hints->set_insists(true);
+  EXPECT_EQ(hints->boxes().size(), 3u);
+}
+
 /// The longest row of pixels of the text's colour is the bar.
 TEST_F(HintViewTest, the_ruler_is_as_many_pixels_long_as_it_says) {
   hints->set_hint_visible(false);

@@ -49,6 +49,26 @@ TEST(LabelLayout, covers_nothing_that_there_is_room_beside) {
   }
 }
 
+TEST(LabelLayout, what_is_not_in_the_view_has_no_label) {
+  const QSizeF view(400, 300), text(60, 20);
+  const std::vector<LabelToPlace> labels{
+      {{-40, 100}, text},
+      {{450, 350}, text, QPolygonF(QVector<QPointF>{{430, 310}, {450, 350}})},
+      {{-40, 100},
+       text,
+       QPolygonF(QVector<QPointF>{{30, 100}, {-40, 100}})},  // its line begins in the view
+      {{-40, -40},
+       text,
+       QPolygonF(QVector<QPointF>{{-40, 500}, {800, -340}})}};  // or goes through it
+  const std::vector<QRectF> boxes = place_labels(labels, {}, view);
+  ASSERT_EQ(boxes.size(), 4u);
+  EXPECT_TRUE(boxes[0].isEmpty());
+  EXPECT_TRUE(boxes[1].isEmpty());
+  EXPECT_TRUE(QRectF({}, view).contains(boxes[2])) << "where its end is";
+  EXPECT_FALSE(boxes[2].isEmpty());
+  EXPECT_FALSE(boxes[3].isEmpty());
+}
+
 TEST(LabelLayout, stays_inside_a_view_with_no_room) {
   const std::vector<LabelToPlace> labels(4, LabelToPlace{{20, 20}, {60, 20}});
   for (const QRectF& box : place_labels(labels, {QRectF(0, 0, 80, 80)}, {80, 80}))
