@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/bodies.hpp"
@@ -58,7 +59,12 @@ void run(const InfoOptions& options) {
   std::vector<MeshReport> reports;
   for (std::size_t i = 0; i < bodies.size(); ++i)
     reports.push_back({options.meshes[i], *bodies[i]});
-  write_result(options.output, options.output.json ? to_json(reports) : to_text(reports));
+  std::optional<Between> lie;
+  if (bodies.size() == 2) {
+    ProgressLine progress(options.output.quiet);
+    lie = between(bodies[0], bodies[1], progress.percent("how deep they overlap"));
+  }
+  write_result(options.output, options.output.json ? to_json(reports, lie) : to_text(reports, lie));
 }
 
 }  // namespace

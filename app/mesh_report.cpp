@@ -7,6 +7,7 @@
 #include "engine/mending/repair_sentences.hpp"
 #include "engine/offset/offset_faces.hpp"
 #include "engine/penetration/search/clearance_of.hpp"
+#include "engine/penetration/search/static_search.hpp"
 #include "engine/penetration/search/trivial_separation.hpp"
 #include "engine/text/length_text.hpp"
 #include "engine/text/number_text.hpp"
@@ -187,43 +188,57 @@ Json json_of(const MeshReport& report) {
   return json;
 }
 
-/// Of two meshes, as they lie in their files.
-std::optional<Clearance> room_between(const std::vector<MeshReport>& reports) {
-  if (reports.size() != 2) return std::nullopt;
-  const Body &first = reports[0].body, &second = reports[1].body;
-  const auto apart = trivial_separation(first, second, Pose());
-  if (apart && apart->status == Status::failed) return std::nullopt;
-  return clearance_of(first, second, Pose(), !apart);
+std::string text_of(const Between& between) {
+  if (!between.clearance.overlapping)
+    return "apart           " + number_text(between.clearance.distance, 6) + " m";
+  const std::string all = "they touch or overlap";
+  return between.depth ? all + ": " + number_text(*between.depth, 6) + " m deep" : all;
 }
 
 }  // namespace
 
-std::string to_text(const std::vector<MeshReport>& reports) {
+std::optional<Between> between(const std::shared_ptr<const Body>& first,
+                               const std::shared_ptr<const Body>& second,
+                               const Progress& progress) {
+  const auto apart = trivial_separation(*first, *second, Pose());
+  if (apart && apart->status == Status::failed) return std::nullopt;
+  Between out{clearance_of(*first, *second, Pose(), !apart), std::nullopt};
+  if (apart) return out;
+  StaticOptions options;
+  options.want_lower_bound = false;
+  const Separation deep = separate_static(Pair(first, second), Pose(), options, progress);
+  if (deep.status != Status::failed) out.depth = deep.depth;
+  return out;
+}
+
+std::string to_text(const std::vector<MeshReport>& reports, const std::optional<Between>& between) {
   std::string text;
   for (const MeshReport& report : reports)
     text.append(text.empty() ? "" : "\n").append(text_of(report));
-  if (const auto room = room_between(reports))
-    text += "\nas they lie in their files\n  " +
-            (room->overlapping ? std::string("they touch or overlap")
-                               : "apart           " + number_text(room->distance, 6) + " m") +
-            "\n";
+  if (between) text += "\nas they lie in their files\n  " + text_of(*between) + "\n";
   return text;
 }
 
-std::string to_json(const std::vector<MeshReport>& reports) {
+std::string to_json(const std::vector<MeshReport>& reports, const std::optional<Between>& between) {
   Json json;
   json["format"] = 1;
   json["units"] = {{"volume", "m^3"}, {"area", "m^2"}, {"center_of_mass", "m"}, {"inertia", "m^2"},
                    {"radius", "m"},   {"bounds", "m"}, {"offset", "m"}};
   json["meshes"] = Json::array();
   for (const MeshReport& report : reports) json["meshes"].push_back(json_of(report));
-  if (const auto room = room_between(reports)) {
+  if (between) {
+    const Clearance& room = between->clearance;
     const auto point = [](const Vec3& x) { return Json{x.x(), x.y(), x.z()}; };
     json["units"]["clearance"] = "m";
-    json["clearance"] = {{"distance", room->distance},
-                         {"overlapping", room->overlapping},
-                         {"on_first", point(room->on_probe)},
-                         {"on_second", point(room->on_fixed)}};
+    json["clearance"] = {{"distance", room.distance},
+                         {"overlapping", room.overlapping},
+                         {"on_first", point(room.on_probe)},
+                         {"on_second", point(room.on_fixed)}};
+    // One continuous number: less than 0, by the depth, where they overlap.
+    if (!room.overlapping)
+      json["clearance"]["signed_distance"] = room.distance;
+    else if (between->depth)
+      json["clearance"]["signed_distance"] = -*between->depth;
   }
   // A file's name may be no UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';

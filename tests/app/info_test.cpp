@@ -29,7 +29,8 @@ TEST_F(Info, a_zero_has_no_sign) {
   EXPECT_EQ(text.find("-0)"), text.npos) << text;
 }
 
-// Reference: boxes whose faces are 0.05 apart, and one in the other.
+// Reference: boxes whose faces are 0.05 apart, one in the other, and one that reaches 0.01 into the
+// other's face, which is the shortest way out (no turn of a box moves its face less).
 TEST_F(Info, two_meshes_are_told_how_far_apart_they_lie) {
   folder.write("away.obj", "v 0.15 0 0\nv 0.15 1 0\nv 0.15 0 1\nf 1 2 3\n");
   const json apart = json::parse(expect_done("info --json large.off away.obj").out);
@@ -41,6 +42,16 @@ TEST_F(Info, two_meshes_are_told_how_far_apart_they_lie) {
   EXPECT_THAT(expect_done("info large.off small.off").out,
               testing::HasSubstr("they touch or overlap"));
   EXPECT_FALSE(json::parse(expect_done("info --json large.off").out).contains("clearance"));
+  EXPECT_EQ(apart.at("clearance").at("signed_distance"), apart.at("clearance").at("distance"));
+  folder.write("reaching.off",
+               "OFF\n8 6 0\n0.09 -0.1 -0.1\n0.29 -0.1 -0.1\n0.29 0.1 -0.1\n0.09 0.1 -0.1\n"
+               "0.09 -0.1 0.1\n0.29 -0.1 0.1\n0.29 0.1 0.1\n0.09 0.1 0.1\n4 0 3 2 1\n4 4 5 6 7\n"
+               "4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+  const json deep = json::parse(expect_done("info --json large.off reaching.off").out);
+  EXPECT_TRUE(deep.at("clearance").at("overlapping").get<bool>());
+  EXPECT_NEAR(deep.at("clearance").at("signed_distance").get<double>(), -0.01, 1e-5);
+  EXPECT_THAT(expect_done("info large.off reaching.off").out,
+              testing::HasSubstr("they touch or overlap: 0.01"));
 }
 
 TEST_F(Info, text_has_numbers_and_units) {
