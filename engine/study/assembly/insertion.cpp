@@ -117,18 +117,6 @@ Pose pose_at(const InsertionPath& way, const Pair& pair, double travel) {
   return Motion(pair.probe().mass, way.poses[i], way.poses[i + 1]).pose_at(part);
 }
 
-std::optional<FirstContact> first_contact(const Pair& pair, const InsertionPath& way) {
-  for (std::size_t i = 0; i + 1 < way.poses.size(); ++i) {
-    const SweptPath path = sweep(pair, way.poses[i], way.poses[i + 1]);
-    if (path.overlapping && i == 0)
-      throw refused("begins where the bodies touch or overlap: begin it outside");
-    if (!path.hit) continue;
-    const double length = way.travel[i + 1] - way.travel[i];
-    return FirstContact{way.travel[i] + path.free * length, path.X_FM, path.contact};
-  }
-  return std::nullopt;
-}
-
 Insertion insertion(const Pair& pair, const InsertionPath& way, std::size_t steps,
                     const Coupling& coupling, const Progress& progress, std::int64_t work) {
   constexpr double table = 0.7;  // of the time

@@ -9,6 +9,7 @@
 #include "engine/base/progress.hpp"
 #include "engine/haptics/coupling/coupling.hpp"
 #include "engine/queries/pair_queries.hpp"
+#include "engine/study/assembly/first_contact.hpp"
 #include "engine/study/assembly/least_room.hpp"
 
 namespace sonde {
@@ -32,16 +33,6 @@ InsertionPath way_through(const Pair& pair, const std::vector<Pose>& poses);
 
 /// The pose of a path at this travel, m.
 Pose pose_at(const InsertionPath& way, const Pair& pair, double travel);
-
-/// The first point at which a path is blocked.
-struct FirstContact {
-  double travel = 0;  ///< m: everything before it is free
-  Pose X_FM;          ///< the pose there
-  Contact contact;    ///< F
-};
-/// Uses sweeps, which skip nothing; the accuracy is that of SweptPath::free. None if the whole path
-/// is free. Throws InputError if the bodies touch or overlap at the start.
-std::optional<FirstContact> first_contact(const Pair& pair, const InsertionPath& way);
 
 /// The probe at one point of the path.
 struct InsertionStep {

@@ -24,13 +24,15 @@ constexpr const char* columns =
     "travel,px,py,pz,qw,qx,qy,qz,clearance,depth,fx,fy,fz,tx,ty,tz,x,y,z,nx,ny,nz,multiplier,"
     "contacts";
 
-/// The contact with the largest multiplier; if the probe is free, the closest points.
-Contact binding(const InsertionStep& step) {
+/// The contact with the largest multiplier; if the probe is free, the closest points. At the first
+/// contact these are so close that rounding turns their direction: that is the first contact's.
+Contact binding(const InsertionStep& step, const std::optional<FirstContact>& first) {
   Contact out;
   if (step.held.contacts.size > 0)
     return *std::max_element(
         step.held.contacts.begin(), step.held.contacts.end(),
         [](const Contact& a, const Contact& b) { return a.multiplier < b.multiplier; });
+  if (first && step.travel == first->travel) return first->contact;
   const Clearance& c = step.clearance;
   out.on_fixed = c.on_fixed;
   out.on_probe = c.on_probe;
@@ -39,9 +41,9 @@ Contact binding(const InsertionStep& step) {
   return out;
 }
 
-Json row_of(const InsertionStep& step) {
+Json row_of(const InsertionStep& step, const std::optional<FirstContact>& first) {
   const auto& [q, p] = step.X_FM;
-  const Contact c = binding(step);
+  const Contact c = binding(step, first);
   Json row{step.travel, p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()};
   row.push_back(step.clearance.overlapping ? Json() : Json(step.clearance.distance));
   row.push_back(step.held.status == Status::failed ? Json() : Json(step.held.depth));
@@ -59,7 +61,8 @@ Json first_of(const std::optional<FirstContact>& first) {
   return {{"travel", first->travel},
           {"pose", {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()}},
           {"point", {at.x(), at.y(), at.z()}},
-          {"normal", {n.x(), n.y(), n.z()}}};
+          {"normal", {n.x(), n.y(), n.z()}},
+          {"tolerance", first->tolerance}};
 }
 
 Json room_of(const LeastRoom& room) {
@@ -302,7 +305,7 @@ Study plan_insertion(const InsertionRequest& request) {
                                     {"first", first_of(found.first)},
                                     {"room", room_of(found.room)}};
                            for (const InsertionStep& step : found.steps)
-                             out["steps"].push_back(row_of(step));
+                             out["steps"].push_back(row_of(step, found.first));
                            return out.dump();
                          }});
   const std::size_t rows = request.map ? request.map->offsets : 0;
