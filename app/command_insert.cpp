@@ -99,7 +99,7 @@ void run(const InsertOptions& options) {
   request.way = options.axis.empty() ? way_through(pair, path)
                                      : way_along(pair, start, vector_of(options.axis),
                                                  *options.travel, per_degree * options.twist);
-  first_contact(pair, request.way);  // a way that begins in an overlap is refused before any part
+  check_start(pair, request.way);  // a way that begins in an overlap is refused before any part
   request.wanted = options.wanted.value_or(request.way.travel.back());
   if (request.wanted > request.way.travel.back() * (1 + 1e-9))
     throw UsageError("--wanted is more than the way's travel: no place of it would count as in");

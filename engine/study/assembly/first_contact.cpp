@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/base/error.hpp"
+#include "engine/base/progress.hpp"
 #include "engine/base/round_to_nearest.hpp"
 #include "engine/body/body.hpp"
 #include "engine/penetration/descent/result.hpp"
@@ -15,6 +16,7 @@
 #include "engine/proximity/triangles/triangle_pair.hpp"
 #include "engine/queries/pair_queries.hpp"
 #include "engine/study/assembly/insertion.hpp"
+#include "engine/study/assembly/sweep_slices.hpp"
 
 namespace sonde {
 namespace {
@@ -44,8 +46,9 @@ class PieceSearch {
         near_enough_(length > 0 ? std::min(1.0, goal / length) : aimed_at) {}
 
   /// True if the piece is blocked, at `free()`.
-  bool run() {
+  bool run(const Progress& progress) {
     while (free_ < 1 && rounds_ < most_rounds) {
+      report(progress, free_);
       const double before = free_;
       if (!sweep_on()) continue;
       look_ahead();
@@ -77,19 +80,19 @@ class PieceSearch {
   }
 
  private:
-  /// Sweeps on up to where the bodies touch, as far as that is known; false if nothing stops it.
+  /// Sweeps on by a slice, but not beyond where the bodies are known to touch; false if nothing
+  /// stops it.
   bool sweep_on() {
-    const double end = std::min(1.0, touching_);
+    const double all = std::min(1.0, touching_), end = std::min(all, free_ + slices_.length());
     const Body &probe = pair_.probe(), &fixed = pair_.fixed();
     const Pose from = free_ > 0 ? motion_.pose_at(free_) : from_;
     const Motion rest(probe.mass, from, end < 1 ? motion_.pose_at(end) : to_);
     // A pair that is nearer than this at the start may lose half of its gap.
-    const Sweep swept = sweep(probe, fixed, rest, kept_);
+    const Sweep swept = slices_.sweep(
+        unlimited_, [&](Effort& effort) { return sweep(probe, fixed, rest, kept_, effort); });
     free_ = swept.hit ? free_ + (end - free_) * swept.free_until : end;
-    if (!swept.hit) {
-      touching_ = infinity;
-      return false;
-    }
+    if (!swept.hit && end >= touching_) touching_ = infinity;
+    if (!swept.hit || swept.given_up) return false;
     last_ = swept;
     ++rounds_;
     if (rounds_ == 1 || points_at(free_).distance > 0.75 * kept_) first_stop_ = free_, rounds_ = 1;
@@ -140,6 +143,8 @@ class PieceSearch {
   Pose from_, to_;
   Motion motion_;
   double kept_;  // m
+  SweepSlices slices_;
+  Effort unlimited_;
   double near_enough_;
   double free_ = 0, touching_ = infinity, first_stop_ = 0;
   int rounds_ = 0;  // from the first stop at this obstacle
@@ -157,15 +162,21 @@ double travel_to_touch(const Pair& pair, const InsertionPath& way, double from) 
 
 }  // namespace
 
-std::optional<FirstContact> first_contact(const Pair& pair, const InsertionPath& way) {
-  const RoundToNearest round_to_nearest;
+void check_start(const Pair& pair, const InsertionPath& way) {
   if (touch(pair, way.poses.front()))
     throw InputError::in("the way", "begins where the bodies touch or overlap: begin it outside");
+}
+
+std::optional<FirstContact> first_contact(const Pair& pair, const InsertionPath& way,
+                                          const Progress& progress) {
+  const RoundToNearest round_to_nearest;
+  check_start(pair, way);
+  const double all = way.travel.back();
   for (std::size_t i = 0; i + 1 < way.poses.size(); ++i) {
-    const double begin = way.travel[i], length = way.travel[i + 1] - begin;
+    const double begin = way.travel[i], end = way.travel[i + 1], length = end - begin;
     PieceSearch piece(pair, checked_place(way.poses[i]), checked_place(way.poses[i + 1]), length,
-                      aimed_at * way.travel.back());
-    if (!piece.run()) continue;
+                      aimed_at * all);
+    if (!piece.run(part_of(progress, begin / all, end / all))) continue;
     FirstContact out{begin + piece.free() * length, piece.pose(), piece.contact(), 0};
     out.tolerance = piece.touching() <= 1 ? (piece.touching() - piece.free()) * length
                                           : travel_to_touch(pair, way, out.travel);

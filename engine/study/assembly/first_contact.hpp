@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "engine/base/error.hpp"
 #include "engine/geometry/pose.hpp"
 #include "engine/penetration/contact/separation.hpp"
 #include "engine/penetration/search/pair.hpp"
@@ -22,11 +23,15 @@ struct FirstContact {
   double tolerance = 0;
 };
 
+/// Throws InputError if the bodies touch or overlap at the start of a path.
+void check_start(const Pair& pair, const InsertionPath& way);
+
 /// Uses sweeps, which skip nothing. A sweep stops at a small gap, which may be long along the path
 /// where it closes slowly; so more sweeps go on from there, each through half of the gap that is
 /// left, until a pose that touches, by the exact test, is near enough. None if the whole path is
-/// free. Throws InputError if the bodies touch or overlap at the start, if a pose is not finite, or
-/// if the path leads too far from the origin for the size of the probe.
-std::optional<FirstContact> first_contact(const Pair& pair, const InsertionPath& way);
+/// free. Throws as check_start does, InputError if a pose is not finite, or if the path leads too
+/// far from the origin for the size of the probe, and Cancelled.
+std::optional<FirstContact> first_contact(const Pair& pair, const InsertionPath& way,
+                                          const Progress& progress = {});
 
 }  // namespace sonde

@@ -119,9 +119,9 @@ Pose pose_at(const InsertionPath& way, const Pair& pair, double travel) {
 
 Insertion insertion(const Pair& pair, const InsertionPath& way, std::size_t steps,
                     const Coupling& coupling, const Progress& progress, std::int64_t work) {
-  constexpr double table = 0.7;  // of the time
+  constexpr double sweeps = 0.2, table = 0.7;  // of the time: up to their ends
   Insertion out;
-  out.first = first_contact(pair, way);
+  out.first = first_contact(pair, way, part_of(progress, 0, sweeps));
   Coupling unlimited = coupling;
   unlimited.max_force = unlimited.max_torque = std::numeric_limits<double>::max();
   unlimited.b_t = unlimited.b_r = 0;
@@ -129,8 +129,9 @@ Insertion insertion(const Pair& pair, const InsertionPath& way, std::size_t step
   CoherentSolver follower(pair);
   follower.reset(way.poses.front());
   const std::vector<double> rows = rows_of(way, std::max<std::size_t>(steps, 1), out.first);
+  const Progress of_table = part_of(progress, sweeps, table);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    report(progress, table * static_cast<double>(i) / static_cast<double>(rows.size()));
+    report(of_table, static_cast<double>(i) / static_cast<double>(rows.size()));
     InsertionStep step;
     step.travel = rows[i];
     step.X_FM = pose_at(way, pair, rows[i]);

@@ -61,9 +61,9 @@ InsertionPath moved(const InsertionPath& way, const Pair& pair, const InsertionM
   return out;
 }
 
-double free_travel(const Pair& pair, const InsertionPath& way) {
+double free_travel(const Pair& pair, const InsertionPath& way, const Progress& progress) {
   if (touch(pair, way.poses.front())) return -1;
-  const auto first = first_contact(pair, way);
+  const auto first = first_contact(pair, way, progress);
   return first ? first->travel : way.travel.back();
 }
 
@@ -74,11 +74,20 @@ std::vector<double> free_travels(const Pair& pair, const InsertionPath& way,
   std::vector<double> out(map.offsets * map.tilts);
   std::size_t done = 0;
   std::mutex reporting;
+  const auto report_done = [&] {
+    report(progress, static_cast<double>(done) / static_cast<double>(out.size()));
+  };
+  const Progress within = [&](double) {
+    const std::lock_guard lock(reporting);
+    report_done();
+    return true;
+  };
   run_parallel(out.size(), std::max(1u, threads), [&](std::size_t k) {
     const double offset = map.offset(k / map.tilts), tilt = map.tilt(k % map.tilts);
-    out[k] = free_travel(pair, moved(way, pair, map, offset, tilt));
+    out[k] = free_travel(pair, moved(way, pair, map, offset, tilt), within);
     const std::lock_guard lock(reporting);
-    report(progress, static_cast<double>(++done) / static_cast<double>(out.size()));
+    ++done;
+    report_done();
   });
   return out;
 }

@@ -34,8 +34,8 @@ std::optional<Vec3> square_to(const Vec3& axis, const Vec3& direction);
 InsertionPath moved(const InsertionPath& way, const Pair& pair, const InsertionMap& map,
                     double offset, double tilt);
 
-/// m: travel that is free; negative if the path begins in an overlap.
-double free_travel(const Pair& pair, const InsertionPath& way);
+/// m: travel that is free; negative if the path begins in an overlap. Throws Cancelled.
+double free_travel(const Pair& pair, const InsertionPath& way, const Progress& progress = {});
 
 /// The free travel at every point of a map, m, row by row for each offset. Throws InputError if a
 /// range is not finite or negative, or there are no points; and Cancelled.

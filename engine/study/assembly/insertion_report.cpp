@@ -95,9 +95,9 @@ std::string map_row(const InsertionRequest& request, std::size_t i, const Stop& 
   const double offset = map.offset(i);
   Json row{{"offset", offset}, {"travel", Json::array()}};
   for (std::size_t j = 0; j < map.tilts; ++j) {
-    if (stop && stop()) throw Cancelled();
+    const InsertionPath way = moved(request.way, request.pair, map, offset, map.tilt(j));
     row["travel"].push_back(
-        free_travel(request.pair, moved(request.way, request.pair, map, offset, map.tilt(j))));
+        free_travel(request.pair, way, [&](double) { return !(stop && stop()); }));
   }
   return row.dump();
 }

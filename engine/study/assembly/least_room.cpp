@@ -12,6 +12,7 @@
 #include "engine/proximity/sweep/sweep.hpp"
 #include "engine/queries/pair_queries.hpp"
 #include "engine/study/assembly/insertion.hpp"
+#include "engine/study/assembly/sweep_slices.hpp"
 
 namespace sonde {
 namespace {
@@ -59,20 +60,24 @@ class Search {
     const Motion all(pair_.probe().mass, from, to);
     const double begin = way_.travel[i], length = way_.travel[i + 1] - begin;
     const double farthest = all.farthest(pair_.probe().mass.radius);
+    SweepSlices slices;
     for (double s = 0; s < 1;) {
       best_.searched = begin + s * length;
       const double all_travel = way_.travel.back();
       report(progress_, all_travel > 0 ? best_.searched / all_travel : 0);
       const double kept = best_.clearance - tolerance();
       if (!(kept > 0)) return true;  // no clearance is less than 0
-      const Motion rest(pair_.probe().mass, all.pose_at(s), to);
-      const Sweep swept = sweep_within_room(pair_.probe(), pair_.fixed(), rest, kept, effort_);
-      s = swept.hit ? s + (1 - s) * swept.free_until : 1;
+      const double end = std::min(1.0, s + slices.length());
+      const Motion rest(pair_.probe().mass, all.pose_at(s), end < 1 ? all.pose_at(end) : to);
+      const Sweep swept = slices.sweep(effort_, [&](Effort& effort) {
+        return sweep_within_room(pair_.probe(), pair_.fixed(), rest, kept, effort);
+      });
+      s = swept.hit ? s + (end - s) * swept.free_until : end;
       if (effort_.is_spent()) {
         best_.searched = begin + s * length;
         return s >= 1;
       }
-      if (s < 1) s = go_down(all, i, s, farthest);
+      if (swept.hit && !swept.given_up) s = go_down(all, i, s, farthest);
     }
     return true;
   }

@@ -112,6 +112,51 @@ TEST(FirstContact, a_turn_in_one_place_is_part_of_a_path) {
   EXPECT_NEAR(2 * first->X_FM.q.z(), 2 * std::sin(0.5 * turn), 1e-9);
 }
 
+/// The sides of a bar of 2a by 2b about z that turns once on 20 mm, from z = low up to high.
+std::shared_ptr<const Body> twisted_sides(double a, double b, double low, double high) {
+  constexpr std::size_t layers = 240;
+  PolygonSoup out;
+  for (std::size_t i = 0; i <= layers; ++i) {
+    const double z = low + (high - low) * static_cast<double>(i) / layers;
+    const Eigen::AngleAxisd turn(2 * std::numbers::pi * z / 0.02, Vec3::UnitZ());
+    for (const Vec3& corner : {Vec3(a, b, 0), Vec3(-a, b, 0), Vec3(-a, -b, 0), Vec3(a, -b, 0)})
+      out.points.push_back(turn * corner + Vec3(0, 0, z));
+  }
+  for (std::size_t i = 0; i < 4 * layers; ++i) {
+    const std::size_t next = i % 4 == 3 ? i - 3 : i + 1;
+    out.polygons.push_back({i, next, next + 4});
+    out.polygons.push_back({i, next + 4, i + 4});
+  }
+  return test::body(out);
+}
+
+// Reference: the bar is smaller than the bore by more than its facets are off the screw, and goes
+// through; turned by more than the screw, it meets the bore where one sweep of all of it says.
+TEST(FirstContact, a_screw_is_swept_in_slices_and_can_be_stopped_between_them) {
+  const Pair pair(twisted_sides(0.006, 0.003, -0.006, 0.006),
+                  twisted_sides(0.0062, 0.0032, -0.01, 0.006));
+  const auto way = [&](double excess) {
+    const double twist = -0.2 * std::numbers::pi * (1 + excess);
+    return way_along(pair, {}, -Vec3::UnitZ(), 0.002, -twist);
+  };
+  int calls = 0;
+  EXPECT_FALSE(first_contact(pair, way(0), [&](double) { return ++calls > 0; }));
+  EXPECT_EQ(way(0).poses.size(), 2u) << "one piece";
+  EXPECT_GT(calls, 4);
+  const int all = calls;
+  calls = 0;
+  EXPECT_THROW(first_contact(pair, way(0), [&](double) { return ++calls < 4; }), Cancelled);
+  EXPECT_EQ(calls, 4);
+  EXPECT_LT(calls, all);
+  calls = 0;
+  EXPECT_THROW(insertion(pair, way(0), 2, {}, [&](double) { return ++calls < 4; }), Cancelled);
+  const InsertionPath over = way(0.5);
+  const auto first = first_contact(pair, over);
+  ASSERT_TRUE(first);
+  const SweptPath whole = sweep(pair, over.poses.front(), over.poses.back());
+  EXPECT_NEAR(first->travel, whole.free * 0.002, 1e-7 * 0.002);
+}
+
 TEST(FirstContact, what_leads_nowhere_is_refused) {
   const Pair pair(test::body(test::box({0.01, 0.05, 0.02})), two_walls(0.02, 0.06));
   const auto way = [&](const Vec3& to) {
