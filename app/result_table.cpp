@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "engine/text/csv_word.hpp"
 #include "engine/text/number_text.hpp"
 #include "engine/text/printable.hpp"
 
@@ -44,13 +45,6 @@ void append(Row& row, const Pose& pose) {
 
 void append_nothing(Row& row, int count) {
   row.insert(row.end(), static_cast<std::size_t>(count), std::monostate{});
-}
-
-std::string csv_word(const std::string& word) {
-  if (word.find_first_of(",\"\r\n") == std::string::npos) return word;
-  std::string out = "\"";
-  for (const char c : word) out.append(c == '"' ? 2 : 1, c);
-  return out + "\"";
 }
 
 std::string csv_line(const Row& row) {

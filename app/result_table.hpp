@@ -37,8 +37,6 @@ void append(Row& row, const Vec3& v);
 void append(Row& row, const Pose& pose);  ///< px, py, pz, qw, qx, qy, qz
 void append_nothing(Row& row, int count);
 
-/// A word for a CSV file: in quotes where it holds a comma, a quote or the end of a line.
-std::string csv_word(const std::string& word);
 /// One row as a line of its own, without its end; numbers with 17 significant digits.
 std::string csv_line(const Row& row);
 std::string json_line(std::span<const Column> columns, const Row& row);

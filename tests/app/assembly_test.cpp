@@ -172,13 +172,27 @@ TEST_F(Assembly, insert_says_where_it_binds) {
   stand_over("s.sonde.json", 0.03);
   const std::string run = "insert s.sonde.json --axis 0,0,-1 --travel 0.05 --steps 20 --out r";
   const Outcome done = expect_done(run);
-  EXPECT_THAT(done.out, HasSubstr("It binds after 30 mm of 50 mm"));
+  EXPECT_THAT(done.out, HasSubstr("It binds after 30 mm of 50 mm, at ("));
+  EXPECT_THAT(done.out, testing::Not(HasSubstr("room")));
   const json summary = json::parse(text_of(folder / "r" / "summary.json"));
   EXPECT_NEAR(summary.at("first_contact").at("travel").get<double>(), 0.03, 5e-8);
   EXPECT_NEAR(summary.at("largest_depth").get<double>(), 0.02, 2e-6);
   const std::string table = text_of(folder / "r" / "insert.csv");
   expect_done(run);  // all parts are there
   EXPECT_EQ(text_of(folder / "r" / "insert.csv"), table);
+}
+
+// Reference: the same, with a second part aside.
+TEST_F(Assembly, insert_names_the_part_that_binds) {
+  folder.write("p.sonde.json", R"({"probe": {"mesh": "small.off", "pose": [0, 0, 0.18, 1, 0, 0, 0]},
+      "fixed": [{"name": "bed", "mesh": "large.off"},
+                {"name": "aside", "mesh": "large.off", "pose": [9, 0, 0, 1, 0, 0, 0]}]})");
+  const Outcome done = expect_done("insert p.sonde.json --axis 0,0,-1 --travel 0.05 --out r");
+  EXPECT_THAT(done.out, HasSubstr("It binds after 30 mm of 50 mm, on bed, at ("));
+  const json summary = json::parse(text_of(folder / "r" / "summary.json"));
+  EXPECT_EQ(summary.at("first_contact").at("part"), "bed");
+  const Csv table(text_of(folder / "r" / "insert.csv"));
+  EXPECT_EQ(table.text(table.rows.size() - 1, "part"), "bed");
 }
 
 // Reference: one run of all.

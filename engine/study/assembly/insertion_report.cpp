@@ -10,8 +10,11 @@
 
 #include "engine/base/error.hpp"
 #include "engine/body/body.hpp"
+#include "engine/queries/body_queries.hpp"
 #include "engine/study/charts/svg_chart.hpp"
+#include "engine/text/csv_word.hpp"
 #include "engine/text/number_text.hpp"
+#include "engine/text/printable.hpp"
 
 namespace sonde {
 namespace {
@@ -22,7 +25,8 @@ constexpr double to_mm = 1e3, to_degrees = 180 / std::numbers::pi;
 constexpr const char* kind_of_study = "insert";
 constexpr const char* columns =
     "travel,px,py,pz,qw,qx,qy,qz,clearance,depth,fx,fy,fz,tx,ty,tz,x,y,z,nx,ny,nz,multiplier,"
-    "contacts";
+    "contacts,part";
+constexpr std::size_t count_of_columns = 25;
 
 /// The contact with the largest multiplier; if the probe is free, the closest points. At the first
 /// contact these are so close that rounding turns their direction: that is the first contact's.
@@ -41,7 +45,13 @@ Contact binding(const InsertionStep& step, const std::optional<FirstContact>& fi
   return out;
 }
 
-Json row_of(const InsertionStep& step, const std::optional<FirstContact>& first) {
+/// The name of the part of the fixed body at a point; null if the body is of one mesh.
+Json part_of_fixed(const Body& fixed, const Vec3& x) {
+  return fixed.parts.empty() ? Json() : Json(utf8_text(part_at(fixed, x)));
+}
+
+Json row_of(const InsertionStep& step, const std::optional<FirstContact>& first,
+            const Body& fixed) {
   const auto& [q, p] = step.X_FM;
   const Contact c = binding(step, first);
   Json row{step.travel, p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()};
@@ -51,10 +61,11 @@ Json row_of(const InsertionStep& step, const std::optional<FirstContact>& first)
     for (const double x : {v.x(), v.y(), v.z()}) row.push_back(x);
   row.push_back(c.multiplier);
   row.push_back(step.held.contacts.size);
+  row.push_back(part_of_fixed(fixed, c.on_fixed));
   return row;
 }
 
-Json first_of(const std::optional<FirstContact>& first) {
+Json first_of(const std::optional<FirstContact>& first, const Body& fixed) {
   if (!first) return nullptr;
   const auto& [q, p] = first->X_FM;
   const Vec3 &at = first->contact.on_fixed, &n = first->contact.normal;
@@ -62,7 +73,8 @@ Json first_of(const std::optional<FirstContact>& first) {
           {"pose", {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()}},
           {"point", {at.x(), at.y(), at.z()}},
           {"normal", {n.x(), n.y(), n.z()}},
-          {"tolerance", first->tolerance}};
+          {"tolerance", first->tolerance},
+          {"part", part_of_fixed(fixed, at)}};
 }
 
 Json room_of(const LeastRoom& room) {
@@ -136,15 +148,20 @@ InsertionParts parts_in(const std::string& folder, const StudyFolder& study) {
 std::string csv_number(const Json& value) {
   return value.is_null() ? "" : number_text(value.get<double>(), 17);
 }
+std::string csv_cell(const Json& value) {
+  return value.is_string() ? csv_word(value.get<std::string>()) : csv_number(value);
+}
 
 std::string way_table(const Json& way) {
   std::string out = std::string(columns) + "\n";
   for (const Json& row : way.at("steps")) {
     const char* separator = "";
     for (const Json& cell : row) {
-      out.append(separator).append(csv_number(cell));
+      out.append(separator).append(csv_cell(cell));
       separator = ",";
     }
+    // A part that was written before a column was added.
+    for (std::size_t i = row.size(); i < count_of_columns; ++i) out += ",";
     out += "\n";
   }
   return out;
@@ -265,20 +282,17 @@ std::string offset_words_for(const Json& about) {
          (by < 0 ? "smaller (allowance)" : "larger (safety)") + ".\n";
 }
 
-std::string words_for(const Json& summary) {
+/// ", on NAME": the part that binds; empty if the fixed body is of one mesh.
+std::string on_part(const Json& first) {
+  const auto part = first.find("part");
+  if (part == first.end() || !part->is_string()) return {};
+  return ", on " + printable(part->get<std::string>());
+}
+
+/// Of a way that goes in: one that binds has none where it does, which says nothing.
+std::string room_words_for(const Json& summary) {
   const auto mm = [](const Json& x) { return number_text(to_mm * x.get<double>(), 6) + " mm"; };
-  std::string out = "# Insertion\n\n";
-  const Json& first = summary.at("first_contact");
-  if (first.is_null()) {
-    out += "It goes in: all of the " + mm(summary.at("travel")) + " are free.\n";
-  } else {
-    const Json& at = first.at("point");
-    out += "It binds after " + mm(first.at("travel")) + " of " + mm(summary.at("travel")) +
-           ", at (" + mm(at[0]) + ", " + mm(at[1]) + ", " + mm(at[2]) + ").\n";
-    out += "Pushed on to the end it is held back by " + mm(summary.at("largest_depth")) +
-           " at most, with " + number_text(summary.at("largest_force").get<double>(), 4) +
-           " N at the scene's gains.\n";
-  }
+  std::string out;
   if (!summary.at("least_clearance").is_null())
     out += "The least room where it is free is " + mm(summary.at("least_clearance")) + ", at " +
            mm(summary.at("least_clearance_at")) + ".\n";
@@ -286,6 +300,24 @@ std::string words_for(const Json& summary) {
     out += "The search for it ended at its limit of work after " +
            mm(summary.at("least_clearance_searched")) +
            ": of what is beyond, the rows of the table count and no place between them.\n";
+  return out;
+}
+
+std::string words_for(const Json& summary) {
+  const auto mm = [](const Json& x) { return number_text(to_mm * x.get<double>(), 6) + " mm"; };
+  std::string out = "# Insertion\n\n";
+  const Json& first = summary.at("first_contact");
+  if (first.is_null()) {
+    out += "It goes in: all of the " + mm(summary.at("travel")) + " are free.\n";
+    out += room_words_for(summary);
+  } else {
+    const Json& at = first.at("point");
+    out += "It binds after " + mm(first.at("travel")) + " of " + mm(summary.at("travel")) +
+           on_part(first) + ", at (" + mm(at[0]) + ", " + mm(at[1]) + ", " + mm(at[2]) + ").\n";
+    out += "Pushed on to the end it is held back by " + mm(summary.at("largest_depth")) +
+           " at most, with " + number_text(summary.at("largest_force").get<double>(), 4) +
+           " N at the scene's gains.\n";
+  }
   if (summary.contains("map"))
     out += summary.at("map").at("goes_in").dump() + " of " + summary.at("map").at("all").dump() +
            " offsets and tilts go in (map.svg).\n";
@@ -301,11 +333,12 @@ Study plan_insertion(const InsertionRequest& request) {
                            const Insertion found =
                                insertion(request.pair, request.way, request.steps, request.coupling,
                                          [&](double) { return !(stop && stop()); });
+                           const Body& fixed = request.pair.fixed();
                            Json out{{"steps", Json::array()},
-                                    {"first", first_of(found.first)},
+                                    {"first", first_of(found.first, fixed)},
                                     {"room", room_of(found.room)}};
                            for (const InsertionStep& step : found.steps)
-                             out["steps"].push_back(row_of(step, found.first));
+                             out["steps"].push_back(row_of(step, found.first, fixed));
                            return out.dump();
                          }});
   const std::size_t rows = request.map ? request.map->offsets : 0;

@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/error.hpp"
+#include "engine/body/body.hpp"
 #include "tests/support/csv.hpp"
+#include "tests/support/defects.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
@@ -131,6 +133,63 @@ TEST(InsertionReport, tables_and_pictures_say_the_same) {
   for (const char* name : {"insert.svg", "map.svg"})
     EXPECT_THAT(text_of(files, name), HasSubstr("</svg>")) << name;
   EXPECT_THAT(text_of(files, "map.svg"), HasSubstr("goes in"));
+}
+
+/// A block over a foot, which it comes down on after 10 mm, between two walls.
+InsertionRequest block_over_foot(const std::string& name) {
+  const PolygonSoup walls = test::joined(test::placed(test::box({0.02, 0.2, 0.06}), {-0.03, 0, 0}),
+                                         test::placed(test::box({0.02, 0.2, 0.06}), {0.03, 0, 0}));
+  const PolygonSoup foot = test::placed(test::box({0.02, 0.02, 0.01}), {0, 0, -0.025});
+  const auto fixed = with_parts(*test::body(test::joined(walls, foot)),
+                                {{"walls", test::body(walls), {}}, {name, test::body(foot), {}}});
+  const Pair pair(test::body(test::box({0.03, 0.05, 0.02})), fixed);
+  InsertionRequest out{
+      .pair = pair,
+      .way = way_along(pair, {Quat::Identity(), Vec3::Zero()}, -Vec3::UnitZ(), 0.015, 0),
+      .coupling = {},
+      .map = {},
+      .about = {}};
+  out.steps = 3;
+  out.wanted = 0.015;
+  out.about = R"({"wanted": 0.015})";
+  return out;
+}
+
+// Reference: by hand. The block is nearer to the walls where it begins, and comes down on the foot.
+TEST(InsertionReport, the_part_that_binds_is_named) {
+  StudyFolder study = compute_at_once(plan_insertion(block_over_foot("foot")), 1, {});
+  const auto files = insertion_files("", study);
+  const Json summary = Json::parse(text_of(files, "summary.json"));
+  EXPECT_EQ(summary.at("first_contact").at("part"), "foot");
+  EXPECT_THAT(text_of(files, "summary.md"),
+              HasSubstr("It binds after 10 mm of 15 mm, on foot, at ("));
+  const test::Csv way(text_of(files, "insert.csv"));
+  EXPECT_EQ(way.text(0, "part"), "walls");
+  EXPECT_EQ(way.text(way.rows.size() - 1, "part"), "foot");
+  // A part of before there were names.
+  Json part = Json::parse(*study.results[0]);
+  part.at("first").erase("part");
+  for (Json& row : part.at("steps")) row.erase(row.size() - 1);
+  study.results[0] = part.dump();
+  const auto before = insertion_files("", study);
+  EXPECT_EQ(test::Csv(text_of(before, "insert.csv")).text(0, "part"), "");
+  EXPECT_THAT(text_of(before, "summary.md"), HasSubstr("It binds after 10 mm of 15 mm, at ("));
+}
+
+TEST(InsertionReport, any_name_of_a_part_is_one_cell_of_the_table) {
+  const std::string name = "a \"foot\", left";
+  const InsertionRequest request = block_over_foot(name);
+  const auto files = insertion_files("", compute_at_once(plan_insertion(request), 1, {}));
+  EXPECT_THAT(text_of(files, "insert.csv"), HasSubstr(R"(,"a ""foot"", left")"));
+  EXPECT_EQ(Json::parse(text_of(files, "summary.json")).at("first_contact").at("part"), name);
+}
+
+TEST(InsertionReport, a_way_that_binds_has_no_least_room_in_words) {
+  const InsertionRequest request = block_over_foot("foot");
+  const auto files = insertion_files("", compute_at_once(plan_insertion(request), 1, {}));
+  EXPECT_THAT(text_of(files, "summary.md"), HasSubstr("It binds"));
+  EXPECT_THAT(text_of(files, "summary.md"), Not(HasSubstr("room")));
+  EXPECT_LT(Json::parse(text_of(files, "summary.json")).at("least_clearance").get<double>(), 1e-10);
 }
 
 // Reference: by hand. The walls are lowered to plates that no row of the table is beside.
