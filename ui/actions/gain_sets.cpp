@@ -62,6 +62,11 @@ void GainSets::set(const std::array<Coupling, 2>& sets, std::size_t active) {
   emit switched();
 }
 
+void GainSets::set_other(const Coupling& coupling) {
+  sets_.at(1 - active_) = coupling;
+  emit switched();
+}
+
 Coupling GainSets::gains(std::size_t set) const {
   return set == active_ ? panel_.coupling() : sets_.at(set);
 }

@@ -25,13 +25,15 @@ class GainSets : public QObject {
   /// Both as they were kept. A step to undo where there are steps already: what they change is
   /// gains of before.
   void restore(const std::array<Coupling, 2>& sets, std::size_t active);
+  /// The gains of the set that is not active, where nobody has chosen them: no step to undo.
+  void set_other(const Coupling& coupling);
   std::size_t active() const { return active_; }
   Coupling gains(std::size_t set) const;
   /// Changes to the other set; can be undone.
   void switch_over();
 
  signals:
-  /// The other set is active now.
+  /// The other set is active now, or has other gains.
   void switched();
 
  private:

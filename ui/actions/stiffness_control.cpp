@@ -95,6 +95,12 @@ void StiffnessControl::set_holder(const Holder& holder) {
   restore_gains();
 }
 
+void StiffnessControl::suit_other(const Coupling& suited,
+                                  const std::function<bool(const Coupling&)>& untouched) {
+  const Coupling other = sets_.gains(1 - sets_.active());
+  if (!same(other, suited) && untouched(other)) sets_.set_other(suited);
+}
+
 void StiffnessControl::saved(const Scene& scene) {
   if (!session_ || gains_of_.empty()) return;
   keep_timer_.stop();

@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -50,6 +51,9 @@ class StiffnessControl : public QObject {
   /// After attach(), and where it is another: the sets are those that were kept for the open scene
   /// and it, if there are any.
   void set_holder(const Holder& holder);
+  /// The set that is not active gets these gains, where `untouched` says that nobody has changed
+  /// its own.
+  void suit_other(const Coupling& suited, const std::function<bool(const Coupling&)>& untouched);
   /// The document was saved as this scene: what is kept is kept for that from now on.
   void saved(const Scene& scene);
   /// Writes what a timer would in a moment: before the session, or the coupling's panel, has gone.

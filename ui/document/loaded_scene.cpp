@@ -14,6 +14,7 @@
 
 #include "engine/base/progress.hpp"
 #include "engine/base/threads.hpp"
+#include "engine/haptics/safety/borne_gains.hpp"
 #include "engine/mesh_io/read_mesh.hpp"
 #include "engine/mesh_io/size_remark.hpp"
 #include "engine/offset/offset_faces.hpp"
@@ -21,7 +22,9 @@
 #include "engine/settings/settings.hpp"
 #include "engine/text/file_unit.hpp"
 #include "engine/text/number_text.hpp"
+#include "ui/base/format.hpp"
 #include "ui/base/resources.hpp"
+#include "ui/document/kept_gains.hpp"
 #include "ui/document/vector_in.hpp"
 #include "ui/document/view_direction.hpp"
 
@@ -308,23 +311,16 @@ double stiffness_at_limit(const MassProperties& probe) {
   return Coupling().max_force / (depth_at_limit * std::max(probe.radius, 1e-9));
 }
 
-/// The largest k of the object norm that a device takes; no more than that of rotation, kÎ, where
-/// it has motors for torque. What it does not say does not count.
-double allowed_stiffness(const MassProperties& probe, const DeviceProfile& device) {
-  double k = std::numeric_limits<double>::infinity();
-  if (device.max_stiffness.value > 0) k = device.max_stiffness.value;
-  const double stiffest = probe.inertia.maxCoeff();
-  if (device.max_torque.value > 0 && device.max_rotational_stiffness.value > 0 && stiffest > 0)
-    k = std::min(k, device.max_rotational_stiffness.value / stiffest);
-  return k;
+/// What a device takes by its profile; of rotations only where it has motors for torque. What it
+/// does not say does not count.
+BorneGains allowed_by(const DeviceProfile& device) {
+  BorneGains most{.translation = device.max_stiffness.value};
+  if (device.max_torque.value > 0) most.rotation = device.max_rotational_stiffness.value;
+  return most;
 }
 
-}  // namespace
-
-Coupling suited_coupling(const MassProperties& probe, const DeviceProfile* device) {
+Coupling of_stiffness(double k, const MassProperties& probe) {
   Coupling coupling;
-  double k = stiffness_at_limit(probe);
-  if (device) k = std::min(k, allowed_stiffness(probe, *device));
   set(coupling, "k", k);
   set(coupling, "k_t", k);
   // The classic spring that turns as stiffly as the object norm does: kÎ, over the mean axis.
@@ -332,13 +328,48 @@ Coupling suited_coupling(const MassProperties& probe, const DeviceProfile* devic
   return coupling;
 }
 
-std::string origin_of_suited(const MassProperties& probe, const DeviceProfile* device) {
+}  // namespace
+
+Coupling suited_coupling(const MassProperties& probe, const DeviceProfile* device) {
   const double k = stiffness_at_limit(probe);
-  if (device && allowed_stiffness(probe, *device) < k)
+  const Coupling suited = of_stiffness(k, probe);
+  if (!device) return suited;
+  const double borne_k = borne(suited, allowed_by(*device), probe).k;
+  return borne_k < suited.k ? of_stiffness(borne_k, probe) : suited;
+}
+
+namespace {
+
+bool is_more_than_allowed(const Coupling& gains, const MassProperties& probe,
+                          const DeviceProfile& device) {
+  return is_reduced(borne(gains, allowed_by(device), probe), gains);
+}
+
+std::string origin_of_suited(const MassProperties& probe,
+                             const std::optional<DeviceProfile>& device) {
+  if (device && is_more_than_allowed(suited_coupling(probe), probe, *device))
     return "Stiffness: as much as " + device->name + " allows.";
   return "Stiffness: the force limit is reached " + number_text(100 * depth_at_limit, 3) +
          " % of the probe's radius deep" +
          (device ? ", which " + device->name + " allows." : std::string("."));
+}
+
+}  // namespace
+
+std::string origin_of_gains(const Coupling& gains, bool of_file, const MassProperties& probe,
+                            const std::optional<DeviceProfile>& device) {
+  const Coupling suited = suited_coupling(probe, device ? &*device : nullptr);
+  std::string words;
+  if (of_file)
+    words = "As opened: as the scene's file has them.";
+  else if (same(gains, suited))
+    return origin_of_suited(probe, device);
+  else
+    words = "As opened: k = " + round_figure(suited.k).toStdString() + " N/m.";
+  if (device && is_more_than_allowed(gains, probe, *device))
+    words += " The gains set are more than " + device->name +
+             " allows; it renders as much as it allows.";
+  return words;
 }
 
 Pose beside(const Body& probe, const Body& fixed, const Vec3& direction, const Quat& q_FM) {

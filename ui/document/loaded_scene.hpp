@@ -117,8 +117,10 @@ LoadedScene build_pair(MeshPair pair, const PairSetup& setup, const Progress& pr
 /// Gains that suit a probe of this size: |F| reaches its limit at a depth of 2 % of R. On a device
 /// they are no stiffer than its driver allows, in translation and in rotation.
 Coupling suited_coupling(const MassProperties& probe, const DeviceProfile* device = nullptr);
-/// Where these come from, in a sentence.
-std::string origin_of_suited(const MassProperties& probe, const DeviceProfile* device);
+/// What to say of the gains that are set: where they come from if they are as opened (of the
+/// scene's file, or suited), what those were if not, and whether the device allows less.
+std::string origin_of_gains(const Coupling& gains, bool of_file, const MassProperties& probe,
+                            const std::optional<DeviceProfile>& device = std::nullopt);
 
 /// A pose beside the fixed body, turned by q_FM, in the given direction from it: a plane with a gap
 /// of 5 % of the probe's radius lies between the two.

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <chrono>
 #include <string_view>
+#include <utility>
 
 #include "engine/settings/settings.hpp"
 #include "ui/base/format.hpp"
@@ -137,7 +138,10 @@ void CouplingPanel::take(const Coupling& coupling) {
   show_values();
 }
 
-void CouplingPanel::show_origin(const QString& words) { origin_->setText(words); }
+void CouplingPanel::show_origin(std::function<QString(const Coupling&)> words) {
+  origin_words_ = std::move(words);
+  show_values();
+}
 
 void CouplingPanel::show_rendered(const std::optional<Coupling>& instead) {
   waiting_->setVisible(instead.has_value());
@@ -167,6 +171,7 @@ void CouplingPanel::show_values() {
     const double value = get(coupling_, row->setting().key);
     if (row->value() != value) row->set_value(value);
   }
+  if (origin_words_) origin_->setText(origin_words_(coupling_));
 }
 
 }  // namespace sonde::ui

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDockWidget>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -24,8 +25,10 @@ class CouplingPanel : public QDockWidget {
 
   /// Shows the gains of a newly opened pair; "defaults" goes back to these.
   void take(const Coupling& coupling);
-  /// Where the gains as opened come from, in a sentence.
-  void show_origin(const QString& words);
+  /// What "defaults" goes back to, without a change of what is set.
+  void set_defaults(const Coupling& coupling) { defaults_ = coupling; }
+  /// What to say of the gains that are set: asked with every change of them.
+  void show_origin(std::function<QString(const Coupling&)> words);
   /// These gains are felt, for those set wait; none: those set are.
   void show_rendered(const std::optional<Coupling>& instead);
   const Coupling& coupling() const { return coupling_; }
@@ -47,6 +50,7 @@ class CouplingPanel : public QDockWidget {
   QUndoStack& undo_;
   Coupling coupling_;
   Coupling defaults_;
+  std::function<QString(const Coupling&)> origin_words_;
   QButtonGroup* modes_ = nullptr;
   QLabel *mode_doc_ = nullptr, *origin_ = nullptr, *waiting_ = nullptr;
   std::vector<SliderRow*> rows_;

@@ -278,23 +278,29 @@ void MainWindow::show_start_page(const QString& reason, const QStringList& files
   });
 }
 
-/// Gains of meshes without a scene suit the probe and the device, until somebody changes them.
+/// Gains of meshes without a scene suit the probe and the device, in both sets, until somebody
+/// changes them.
 void MainWindow::suit_gains() {
   if (!session()) return;
   const LoadedScene& loaded = session()->loaded();
-  if (!loaded.scene.file.empty())
-    return coupling_panel_->show_origin(QStringLiteral("As opened: as the scene's file has them."));
   const auto* simulating = std::get_if<SimulatedSource>(&devices_->source());
-  const DeviceProfile* device = simulating ? &simulating->profile : nullptr;
+  const auto device = simulating ? std::optional(simulating->profile) : std::nullopt;
   const MassProperties& probe = session()->probe().mass;
-  const Coupling now = session()->coupling(), suited = suited_coupling(probe, device);
-  const bool untouched = same(now, loaded.coupling) || (suited_ && same(now, *suited_));
+  const bool of_file = !loaded.scene.file.empty();
+  coupling_panel_->show_origin(
+      [=](const Coupling& now) { return text(origin_of_gains(now, of_file, probe, device)); });
+  if (of_file) return;
+  const Coupling now = session()->coupling();
+  const Coupling suited = suited_coupling(probe, device ? &*device : nullptr);
+  const auto untouched = [&loaded, before = suited_](const Coupling& gains) {
+    return same(gains, loaded.coupling) || (before && same(gains, *before));
+  };
   suited_ = suited;
-  coupling_panel_->show_origin(text(origin_of_suited(probe, device)));
-  if (!untouched || same(now, suited)) return;
+  coupling_panel_->set_defaults(suited);
+  stiffness_->suit_other(suited, untouched);
+  if (!untouched(now) || same(now, suited)) return;
   Document& document = documents_->document();
   const bool modified = document.modified();
-  coupling_panel_->take(suited);
   coupling_panel_->apply(suited);
   if (!modified) document.set_saved_text(document.text());  // nobody has changed anything
   show_document();

@@ -14,6 +14,7 @@
 #include "tests/support/temp_folder.hpp"
 #include "tests/ui/drop_files.hpp"
 #include "tests/ui/window_fixture.hpp"
+#include "ui/actions/stiffness_control.hpp"
 #include "ui/base/resources.hpp"
 #include "ui/devices/device_control.hpp"
 
@@ -157,14 +158,24 @@ TEST(Opening, gains_suit_the_probe_and_do_not_exceed_the_device) {
   device.max_stiffness.value = 3000;
   EXPECT_EQ(suited_coupling(probe, &device).k, 3000);
   EXPECT_EQ(suited_coupling(probe, &device).k_t, 3000);
-  EXPECT_EQ(origin_of_suited(probe, &device), "Stiffness: as much as Handle allows.");
+  const Coupling soft = suited_coupling(probe, &device), stiff = suited_coupling(probe);
+  EXPECT_EQ(origin_of_gains(soft, false, probe, device), "Stiffness: as much as Handle allows.");
+  EXPECT_EQ(origin_of_gains(stiff, false, probe, device),
+            "As opened: k = 3000 N/m. The gains set are more than Handle allows; it renders as "
+            "much as it allows.");
+  EXPECT_EQ(origin_of_gains(soft, true, probe, device), "As opened: as the scene's file has them.");
+  EXPECT_NE(origin_of_gains(stiff, true, probe, device).find("more than Handle allows"),
+            std::string::npos);
   device.max_rotational_stiffness.value = 4;
   EXPECT_EQ(suited_coupling(probe, &device).k, 3000) << "it has no motors for torque";
   device.max_torque.value = 0.2;
-  EXPECT_NEAR(suited_coupling(probe, &device).k, 1000, 1e-9) << "kÎ at most 4 N·m/rad";
+  EXPECT_NEAR(suited_coupling(probe, &device).k, 4 / 1.2 / 4e-3, 1e-9)
+      << "1.2 kÎ, which is felt in a turn, at most 4 N·m/rad";
   device.max_stiffness.value = device.max_rotational_stiffness.value = 1e6;
   EXPECT_NEAR(suited_coupling(probe, &device).k, 1e4, 1e-9);
-  EXPECT_NE(origin_of_suited(probe, nullptr).find("2 % of the probe's radius"), std::string::npos);
+  EXPECT_NE(origin_of_gains(stiff, false, probe).find("2 % of the probe's radius"),
+            std::string::npos);
+  EXPECT_EQ(origin_of_gains(soft, false, probe), "As opened: k = 10000 N/m.");
 }
 
 TEST_F(WindowTest, gains_of_own_meshes_follow_the_device_until_they_are_changed) {
@@ -186,6 +197,32 @@ TEST_F(WindowTest, gains_of_own_meshes_follow_the_device_until_they_are_changed)
   softer.max_stiffness.value = 100;
   window->devices().choose(SimulatedSource{softer});
   EXPECT_NEAR(window->session()->coupling().k, 300, 1e-9) << "who chose it keeps it";
+}
+
+TEST_F(WindowTest, both_sets_of_gains_and_the_gains_as_opened_follow_the_device) {
+  open({path("cube.off"), path("large.off")}, 1);
+  ASSERT_EQ(failed, 0);
+  const double own = window->session()->coupling().k;
+  DeviceProfile soft = find_device_profile("touch", device_profile_folders());
+  soft.max_stiffness.value = own / 4;
+  window->devices().choose(SimulatedSource{soft});
+  const GainSets& sets = window->stiffness().sets();
+  EXPECT_NEAR(sets.gains(0).k, own / 4, 1e-9 * own);
+  EXPECT_NEAR(sets.gains(1).k, own / 4, 1e-9 * own);
+  const auto words = [this] { return find<QLabel>("gains_origin")->text(); };
+  act("switch_gains");
+  ASSERT_EQ(sets.active(), 1u);
+  EXPECT_EQ(words(), QStringLiteral("Stiffness: as much as Touch allows."));
+  type("k_value", QString::number(own, 'f', 3));
+  EXPECT_TRUE(words().contains("more than Touch allows")) << words().toStdString();
+  find<QPushButton>("gains_as_opened")->click();
+  EXPECT_NEAR(window->session()->coupling().k, own / 4, 1e-9 * own);
+  type("k_value", QStringLiteral("300"));
+  window->devices().choose(MouseSource{});
+  EXPECT_NEAR(sets.gains(0).k, own, 1e-9 * own) << "nobody has changed that one";
+  EXPECT_NEAR(sets.gains(1).k, 300, 1e-9);
+  find<QPushButton>("gains_as_opened")->click();
+  EXPECT_NEAR(window->session()->coupling().k, own, 1e-9 * own) << "as the mouse has them";
 }
 
 TEST(Opening, guesses_a_unit) {

@@ -72,12 +72,16 @@ TEST_F(CouplingPanelTest, gains_of_a_newly_opened_pair_are_shown_and_are_no_chan
   opened.k = 1200;
   opened.max_force = 7;
   panel->take(opened);
-  panel->show_origin("from the scene");
+  panel->show_origin([](const Coupling& now) {
+    return now.k == 40 ? QStringLiteral("changed") : QStringLiteral("from the scene");
+  });
   EXPECT_EQ(find<TypedValue>("k_value")->value(), 1200);
   EXPECT_EQ(find<TypedValue>("max_force_value")->value(), 7);
   EXPECT_EQ(find<QLabel>("gains_origin")->text(), "from the scene");
   EXPECT_TRUE(told.empty());
   EXPECT_FALSE(undo.canUndo());
+  find<TypedValue>("k_value")->setValue(40);
+  EXPECT_EQ(find<QLabel>("gains_origin")->text(), "changed") << "of the gains that are set";
 }
 
 TEST_F(CouplingPanelTest, gains_as_opened_come_back_and_each_change_can_be_undone) {
