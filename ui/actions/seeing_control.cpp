@@ -178,6 +178,7 @@ void SeeingControl::show_numbers(const Snapshot& snapshot) {
 }
 
 void SeeingControl::measure(QPointF at) {
+  emit touched(at);
   const auto hit = viewport_.pick(at);
   if (!hit || !session_) return;
   const Body& other = hit->on_probe ? session_->fixed() : session_->probe();
@@ -187,6 +188,7 @@ void SeeingControl::measure(QPointF at) {
 }
 
 void SeeingControl::click(QPointF at) {
+  emit touched(at);
   if (!session_ || (click_wanted && click_wanted(at))) return;
   const ContactCluster* best = nullptr;
   double nearest = near_contact;

@@ -64,6 +64,7 @@ class SeeingControl : public QObject {
   void changed();  ///< seeing() says something else
   void say(const QString& what);
   void clicked(QPointF at);  ///< in the view, on no contact
+  void touched(QPointF at);  ///< a click in the view, before it does whatever it is for
 
  private:
   void measure(QPointF at);

@@ -150,16 +150,6 @@ bool MouseProbe::wheel(const QWheelEvent& event) {
   return true;
 }
 
-/// Right, up, and to where Page Up goes, in the columns: in the picture that is away from the eye.
-Mat3 MouseProbe::nudge_axes() const {
-  if (nudge_.axes == Nudge::Axes::fixed) return Mat3::Identity();
-  if (nudge_.axes == Nudge::Axes::probe) return pose_.q.toRotationMatrix();
-  const ViewAxes view = viewport_.camera().axes();
-  Mat3 axes;
-  axes << view.right, view.up, -view.towards;
-  return axes;
-}
-
 bool MouseProbe::key(const QKeyEvent& event) {
   struct Key {
     int key;
@@ -171,7 +161,12 @@ bool MouseProbe::key(const QKeyEvent& event) {
                                  {Qt::Key_PageDown, 2, -1}, {Qt::Key_PageUp, 2, 1}};
   const auto* const pressed = std::ranges::find(keys, event.key(), &Key::key);
   if (pressed == std::end(keys)) return false;
-  const Mat3 axes = nudge_axes();
+  const std::optional<Mat3> found = nudge_axes(nudge_, pose_, viewport_.camera().axes());
+  if (!found) {
+    emit say(QStringLiteral("The arrow keys go along a face: click on one first."));
+    return true;
+  }
+  const Mat3& axes = *found;
   const Vec3 along = pressed->sign * axes.col(pressed->axis);
   step([&] {
     if (!(event.modifiers() & Qt::ShiftModifier)) return translate(along * nudge_.step);

@@ -41,6 +41,7 @@ class MouseProbe : public QObject {
   /// A drag that began at that pose has ended, or a key or the wheel has moved the probe a step
   /// from there: many of those in quick succession are one motion.
   void settled(const Pose& before, bool one_of_many);
+  void say(const QString& what);  ///< in passing
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -50,7 +51,6 @@ class MouseProbe : public QObject {
   bool drag(const QMouseEvent& event);
   bool wheel(const QWheelEvent& event);
   bool key(const QKeyEvent& event);
-  Mat3 nudge_axes() const;
   void settle();
   void step(const std::function<void()>& move);
   void drag_probe(QPointF by, QPointF at, Qt::KeyboardModifiers modifiers);

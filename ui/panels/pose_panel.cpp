@@ -16,6 +16,7 @@
 
 #include "engine/text/file_unit.hpp"
 #include "engine/text/number_text.hpp"
+#include "ui/base/format.hpp"
 #include "ui/document/pose_text.hpp"
 #include "ui/panels/number_field.hpp"
 #include "ui/panels/scrolled.hpp"
@@ -45,7 +46,10 @@ void PosePanel::build() {
   auto* grid = new QGridLayout;
   layout->addLayout(grid);
   unit_->setObjectName(QStringLiteral("pose_unit"));
-  for (const std::string& name : file_unit_names()) unit_->addItem(QString::fromStdString(name));
+  for (const std::string& name : file_unit_names()) {
+    const QString file = QString::fromStdString(name);
+    unit_->addItem(file == QStringLiteral("um") ? QStringLiteral("µm") : file, file);
+  }
   turn_->setObjectName(QStringLiteral("pose_turn"));
   turn_->addItems({QStringLiteral("roll, pitch, yaw"), QStringLiteral("axis and angle"),
                    QStringLiteral("quaternion"), QStringLiteral("matrix, metres")});
@@ -141,12 +145,17 @@ void PosePanel::build_nudge(QWidget& content, QVBoxLayout& layout) {
   auto* grid = new QGridLayout(group);
   nudge_axes_ = new QComboBox(group);
   nudge_axes_->setObjectName(QStringLiteral("nudge_axes"));
-  nudge_axes_->addItems({QStringLiteral("the picture's axes"),
-                         QStringLiteral("the fixed body's x, y, z"),
-                         QStringLiteral("the probe's x, y, z")});
+  nudge_axes_->addItems(
+      {QStringLiteral("the picture's axes"), QStringLiteral("the fixed body's x, y, z"),
+       QStringLiteral("the probe's x, y, z"), QStringLiteral("the normal of a face")});
   nudge_axes_->setToolTip(QStringLiteral(
-      "Of a body, left and right are -x and x, down and up -y and y, Page Down and Page Up -z and "
-      "z. With Shift the probe turns about that axis."));
+      "Of a body and of the scene, left and right are -x and x, down and up -y and y, Page Down "
+      "and Page Up -z and z. Page Up goes out of a face, the arrows across it. With Shift the "
+      "probe turns about that axis."));
+  face_words_ = new QLabel(group);
+  face_words_->setObjectName(QStringLiteral("nudge_face"));
+  face_words_->setWordWrap(true);
+  face_words_->setTextFormat(Qt::PlainText);
   step_label_ = new QLabel(group);
   step_ = new NumberField(group);
   step_->setObjectName(QStringLiteral("nudge_step"));
@@ -154,16 +163,46 @@ void PosePanel::build_nudge(QWidget& content, QVBoxLayout& layout) {
   step_turn_->setObjectName(QStringLiteral("nudge_turn"));
   grid->addWidget(new QLabel(QStringLiteral("along"), group), 0, 0);
   grid->addWidget(nudge_axes_, 0, 1);
-  grid->addWidget(step_label_, 1, 0);
-  grid->addWidget(step_, 1, 1);
-  grid->addWidget(new QLabel(QStringLiteral("with Shift, °"), group), 2, 0);
-  grid->addWidget(step_turn_, 2, 1);
+  grid->addWidget(face_words_, 1, 0, 1, 2);
+  grid->addWidget(step_label_, 2, 0);
+  grid->addWidget(step_, 2, 1);
+  grid->addWidget(new QLabel(QStringLiteral("with Shift, °"), group), 3, 0);
+  grid->addWidget(step_turn_, 3, 1);
   layout.addWidget(group);
   connect(nudge_axes_, qOverload<int>(&QComboBox::currentIndexChanged), this,
           &PosePanel::take_nudge);
   for (QLineEdit* field : {step_, step_turn_})
     connect(field, &QLineEdit::editingFinished, this, &PosePanel::take_nudge);
   show_nudge();
+  show_face_words();
+}
+
+void PosePanel::show_face(const std::optional<PickedFace>& face) {
+  nudge_.face = face;
+  show_face_words();
+  emit nudge_changed(nudge_);
+}
+
+void PosePanel::show_face_words() {
+  face_words_->setVisible(nudge_.axes == Nudge::Axes::face);
+  face_words_->setText(nudge_.face
+                           ? QStringLiteral("The face clicked last, of %1: its normal is (%2).")
+                                 .arg(nudge_.face->of, components_text(nudge_.face->normal))
+                           : QStringLiteral("None was clicked yet: click on a face in the view."));
+}
+
+void PosePanel::set_scene_axes(const Quat& q_FW) {
+  constexpr int world = static_cast<int>(Nudge::Axes::world);
+  const bool others = q_FW.angularDistance(Quat::Identity()) > least_angle * degree;
+  const bool listed = nudge_axes_->count() > world;
+  nudge_.q_FW = q_FW;
+  if (others && !listed) nudge_axes_->addItem(QStringLiteral("the scene's x, y, z"));
+  if (!others && listed) {
+    if (nudge_axes_->currentIndex() == world)  // the same lines by another name
+      nudge_axes_->setCurrentIndex(static_cast<int>(Nudge::Axes::fixed));
+    nudge_axes_->removeItem(world);
+  }
+  emit nudge_changed(nudge_);
 }
 
 void PosePanel::suggest_step(double metres) {
@@ -180,14 +219,15 @@ void PosePanel::take_nudge() {
     if (read && std::isfinite(*read) && *read > 0) value = *read * unit;
   };
   nudge_.axes = static_cast<Nudge::Axes>(nudge_axes_->currentIndex());
-  typed(*step_, nudge_.step, unit_in_metres(unit_->currentText().toStdString()).value_or(1));
+  typed(*step_, nudge_.step, unit_metres());
   typed(*step_turn_, nudge_.turn, degree);
   show_nudge();
+  show_face_words();
   emit nudge_changed(nudge_);
 }
 
 void PosePanel::show_nudge() {
-  const double unit = unit_in_metres(unit_->currentText().toStdString()).value_or(1);
+  const double unit = unit_metres();
   step_label_->setText(QStringLiteral("by, %1").arg(unit_->currentText()));
   step_->setText(number_in_field(nudge_.step / unit));
   step_turn_->setText(number_in_field(nudge_.turn / degree));
@@ -214,10 +254,14 @@ bool PosePanel::eventFilter(QObject* watched, QEvent* event) {
   return QDockWidget::eventFilter(watched, event);
 }
 
+double PosePanel::unit_metres() const {
+  return unit_in_metres(unit_->currentData().toString().toStdString()).value_or(1);
+}
+
 PosePanel::Turn PosePanel::turn() const { return static_cast<Turn>(turn_->currentIndex()); }
 
 void PosePanel::suggest_unit(const QString& name) {
-  const int index = unit_->findText(name == QStringLiteral("µm") ? QStringLiteral("um") : name);
+  const int index = unit_->findText(name);
   if (index >= 0) unit_->setCurrentIndex(index);
 }
 
@@ -241,7 +285,7 @@ void PosePanel::show_labels() {
 }
 
 std::array<double, 7> PosePanel::numbers() const {
-  const double unit = unit_in_metres(unit_->currentText().toStdString()).value_or(1);
+  const double unit = unit_metres();
   std::array<double, 7> n{pose_.p.x() / unit, pose_.p.y() / unit, pose_.p.z() / unit};
   if (turn() == Turn::roll_pitch_yaw) {
     const Vec3 angles = roll_pitch_yaw(pose_.q) / degree;
@@ -287,7 +331,7 @@ void PosePanel::take(std::size_t field) {
   if (!typed || !std::isfinite(*typed)) return show_numbers();
   n.at(field) = *typed;
   Pose wanted = pose_;
-  const double unit = unit_in_metres(unit_->currentText().toStdString()).value_or(1);
+  const double unit = unit_metres();
   if (field < 3) {
     wanted.p[static_cast<Eigen::Index>(field)] = *typed * unit;
   } else if (turn() == Turn::roll_pitch_yaw) {

@@ -31,6 +31,10 @@ class PosePanel : public QDockWidget {
 
   /// The step of the arrow keys for a scene of this size, m.
   void suggest_step(double metres);
+  /// The face that the arrow keys may go along; none was clicked yet.
+  void show_face(const std::optional<PickedFace>& face);
+  /// The scene's axes in the fixed body's, to go along where they are others.
+  void set_scene_axes(const Quat& q_FW);
 
   /// What clicks in the view are waited for, and what to do next; none: nothing, or why not.
   void show_snap(std::optional<SnapKind> kind, const QString& words);
@@ -57,9 +61,11 @@ class PosePanel : public QDockWidget {
   void build_snap(QWidget& content, QVBoxLayout& layout);
   void build_nudge(QWidget& content, QVBoxLayout& layout);
   void take_nudge();
+  void show_face_words();
   void show_nudge();
   std::array<double, 7> numbers() const;
   Turn turn() const;
+  double unit_metres() const;
   bool is_angle(std::size_t field) const;
 
   Pose pose_;
@@ -71,7 +77,7 @@ class PosePanel : public QDockWidget {
   QLabel* snap_words_ = nullptr;
   Nudge nudge_;
   QComboBox* nudge_axes_ = nullptr;
-  QLabel* step_label_ = nullptr;
+  QLabel *step_label_ = nullptr, *face_words_ = nullptr;
   QLineEdit *step_ = nullptr, *step_turn_ = nullptr;
 };
 

@@ -13,6 +13,7 @@
 #include "ui/actions/export_control.hpp"
 #include "ui/actions/history_control.hpp"
 #include "ui/actions/measure_control.hpp"
+#include "ui/actions/nudge_control.hpp"
 #include "ui/actions/opener.hpp"
 #include "ui/actions/parts_control.hpp"
 #include "ui/actions/repairs_control.hpp"
@@ -90,6 +91,7 @@ MainWindow::MainWindow(QWidget* parent)
   connect(mouse_, &MouseProbe::moved, this, &MainWindow::follow_mouse);
   connect_coupling();
   connect(mouse_, &MouseProbe::settled, this, &MainWindow::keep_motion);
+  connect(mouse_, &MouseProbe::say, this, &MainWindow::tell);
   connect_devices();
   connect_measuring();
   connect_documents();
@@ -203,6 +205,9 @@ void MainWindow::add_assembly() {
   snap_ = new SnapControl(*viewport_, *documents_, *pose_panel_, this);
   seeing_->click_wanted = [this](QPointF at) { return way_in_->click(at) || snap_->click(at); };
   clash_ = new ClashControl(*viewport_, *this, *coupling_panel_);
+  auto* nudge = new NudgeControl(*viewport_, *pose_panel_, this);
+  connect(seeing_, &SeeingControl::touched, nudge, &NudgeControl::click);
+  connect(this, &MainWindow::opened, nudge, [this, nudge] { nudge->attach(session()->loaded()); });
 }
 
 /// The bar above the view: nothing in the view lies below it.

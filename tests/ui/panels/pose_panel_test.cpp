@@ -147,5 +147,42 @@ TEST_F(PosePanelTest, steps_of_the_arrow_keys_are_above_zero_and_in_its_unit) {
   EXPECT_EQ(nudge.axes, Nudge::Axes::probe);
 }
 
+TEST_F(PosePanelTest, says_which_face_the_arrow_keys_go_along) {
+  Nudge nudge;
+  QObject::connect(panel.get(), &PosePanel::nudge_changed, [&](const Nudge& now) { nudge = now; });
+  auto* words = find<QLabel>("nudge_face");
+  EXPECT_FALSE(words->isVisible()) << "of other axes there is nothing to say";
+  find<QComboBox>("nudge_axes")->setCurrentIndex(static_cast<int>(Nudge::Axes::face));
+  EXPECT_TRUE(words->isVisible());
+  EXPECT_TRUE(words->text().contains("None was clicked"));
+  panel->show_face(PickedFace{"nut", false, Vec3::UnitX()});
+  EXPECT_TRUE(words->text().contains("of nut: its normal is (1.00, 0, 0)"));
+  ASSERT_TRUE(nudge.face);
+  EXPECT_EQ(nudge.face->normal, Vec3::UnitX());
+}
+
+TEST_F(PosePanelTest, the_scenes_axes_are_offered_where_they_are_not_the_fixed_bodys) {
+  Nudge nudge;
+  QObject::connect(panel.get(), &PosePanel::nudge_changed, [&](const Nudge& now) { nudge = now; });
+  auto* axes = find<QComboBox>("nudge_axes");
+  EXPECT_EQ(axes->count(), 4);
+  for (int i = 0; i < 2; ++i) panel->set_scene_axes(pose.q);
+  ASSERT_EQ(axes->count(), 5);
+  axes->setCurrentIndex(4);
+  EXPECT_EQ(nudge.axes, Nudge::Axes::world);
+  EXPECT_EQ(nudge.q_FW.coeffs(), pose.q.coeffs());
+  panel->set_scene_axes(Quat::Identity());
+  EXPECT_EQ(axes->count(), 4);
+  EXPECT_EQ(nudge.axes, Nudge::Axes::fixed);
+}
+
+TEST_F(PosePanelTest, micrometres_are_written_as_everywhere) {
+  panel->suggest_unit(QStringLiteral("µm"));
+  EXPECT_EQ(find<QComboBox>("pose_unit")->currentText(), QStringLiteral("µm"));
+  EXPECT_EQ(number(1), "-20000");
+  panel->suggest_step(5e-7);
+  EXPECT_EQ(find<QLineEdit>("nudge_step")->text(), "0.5");
+}
+
 }  // namespace
 }  // namespace sonde::ui::test
