@@ -5,25 +5,19 @@
 #include <chrono>
 #include <utility>
 
-#include "ui/base/format.hpp"
+#include "ui/actions/gap_reach.hpp"
 #include "ui/document/same_pose.hpp"
 #include "ui/document/session.hpp"
 #include "ui/views/viewport.hpp"
 
 namespace sonde::ui {
-namespace {
-
-constexpr double reach_part = 0.12;  // of the probe's radius: further away is not near
-constexpr double cells = 8;          // over the reach
-
-}  // namespace
-
 GapPainter::GapPainter(Viewport& viewport) : viewport_(viewport) {}
 
 GapPainter::~GapPainter() { stop(); }
 
 void GapPainter::set_on(bool on) {
   on_ = on;
+  fitted_.reset();
   asked_.reset();
   if (!on) stop();
   viewport_.set_shown(Layer::gaps, on);
@@ -32,12 +26,14 @@ void GapPainter::set_on(bool on) {
 void GapPainter::set_reach(std::optional<double> reach) {
   stop();
   reach_ = reach;
+  fitted_.reset();
   asked_.reset();
 }
 
 void GapPainter::attach(const Session* session) {
   stop();
   session_ = session;
+  fitted_.reset();
   asked_.reset();
 }
 
@@ -58,23 +54,24 @@ void GapPainter::frame(const Separation& separation) {
 void GapPainter::take() {
   if (coming_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
   const Painted painted = coming_.get();
+  fitted_ = painted.reach;
   viewport_.set_gaps({painted.probe, painted.fixed, painted.separated, painted.reach});
 }
 
 void GapPainter::begin(const Pose& separated) {
   asked_ = separated;
   stopping_ = std::make_shared<std::atomic<bool>>(false);
-  const double suited = round_down_125(reach_part * session_->probe().mass.radius);
-  const double reach = reach_.value_or(suited);
-  // Not finer than suits the probe: as many places as there are gaps to be told apart.
-  const double cell = std::max(reach, suited) / cells;
+  // Once fitted it stays: colours that change their meaning with each frame say nothing.
+  const std::optional<double> wanted = reach_ ? reach_ : fitted_;
   // The pair keeps its bodies for as long as the thread needs them.
-  coming_ = std::async(std::launch::async, [pair = session_->loaded().pair, separated, reach, cell,
+  coming_ = std::async(std::launch::async, [pair = session_->loaded().pair, separated, wanted,
                                             stopping = stopping_] {
     const auto stop = [stopping] { return stopping->load(); };
-    const GapOptions options{.reach = reach, .cell = cell};
-    return Painted{separated, gap_field(pair.probe(), pair.fixed(), separated, options, stop),
-                   gap_field(pair.fixed(), pair.probe(), inverse(separated), options, stop), reach};
+    const Body &probe = pair.probe(), &fixed = pair.fixed();
+    const double reach = wanted ? *wanted : fitted_reach(probe, fixed, separated, stop);
+    const GapOptions options{.reach = reach, .cell = gap_cell(probe, reach)};
+    return Painted{separated, gap_field(probe, fixed, separated, options, stop),
+                   gap_field(fixed, probe, inverse(separated), options, stop), reach};
   });
 }
 

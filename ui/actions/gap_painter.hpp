@@ -27,7 +27,8 @@ class GapPainter {
 
   void set_on(bool on);
   bool on() const { return on_; }
-  /// The gap that the last colour stands for, m; none: what suits the probe.
+  /// The gap that the last colour stands for, m; none: what fits the gaps at the next frame, and
+  /// then stays until the colours are switched on again.
   void set_reach(std::optional<double> reach);
   /// Other bodies from now on; null: none.
   void attach(const Session* session);
@@ -47,7 +48,7 @@ class GapPainter {
   Viewport& viewport_;
   const Session* session_ = nullptr;
   bool on_ = false;
-  std::optional<double> reach_;
+  std::optional<double> reach_, fitted_;
   std::shared_ptr<std::atomic<bool>> stopping_;
   std::future<Painted> coming_;
   std::optional<Pose> asked_;

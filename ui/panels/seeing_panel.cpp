@@ -117,8 +117,10 @@ void SeeingPanel::add_gap(QVBoxLayout& layout) {
   gap_label_ = new QLabel(this);
   gap_ = new NumberField(this);
   gap_->setObjectName(QStringLiteral("gap_reach"));
-  gap_->setPlaceholderText(QStringLiteral("suits the probe"));
-  gap_->setToolTip(QStringLiteral("The gap of the last colour; larger gaps are not coloured"));
+  gap_->setPlaceholderText(QStringLiteral("fits the gaps"));
+  gap_->setToolTip(
+      QStringLiteral("The gap of the last colour; larger gaps are not coloured. Empty: "
+                     "a few times the clearance when the colours are switched on"));
   row->addWidget(gap_label_);
   row->addWidget(gap_, 1);
   layout.addLayout(row);

@@ -33,7 +33,7 @@ class SeeingPanel : public QDockWidget {
 
  signals:
   void changed(const Seeing& seeing);
-  void gap_reach_changed(std::optional<double> reach);  ///< m; none: as suits the probe
+  void gap_reach_changed(std::optional<double> reach);  ///< m; none: as fits the gaps
   void snap_wanted();                                   ///< the cut through the contact
   void face_wanted();                                   ///< the cut across the line of sight
   void save_wanted();                                   ///< the view as it is

@@ -104,6 +104,27 @@ TEST_F(GapPainterTest, a_reach_that_was_asked_for_is_painted_at_once) {
   EXPECT_TRUE(comes([&] { return pixels_between(suited, drawn()) < 200; })) << "as at first";
 }
 
+TEST_F(GapPainterTest, the_scale_fits_the_clearance_and_stays_until_it_is_switched_on_again) {
+  separation.status = Status::separated;
+  const auto hang_at = [&](double gap) { separation.separated.p = Vec3(0, 0, 0.07 + gap); };
+  const auto shows = [&](double part) {
+    return comes([&] { return pixels_of_hue(drawn(), gap_colour(part)) > 1500; });
+  };
+  hang_at(1e-4);
+  painter->set_on(true);
+  EXPECT_TRUE(shows(0.2)) << "of 0.5 mm, not of the 2 mm that suit the probe";
+  hang_at(3.5e-4);
+  EXPECT_TRUE(shows(0.7)) << "the same scale";
+  painter->set_on(false);
+  painter->set_on(true);
+  EXPECT_TRUE(shows(0.175)) << "of 2 mm";
+  painter->set_reach(5e-4);
+  EXPECT_TRUE(shows(0.7));
+  painter->set_on(false);
+  painter->set_on(true);
+  EXPECT_TRUE(shows(0.7)) << "what was set stays";
+}
+
 /// While the first bodies are still being looked at.
 TEST_F(GapPainterTest, other_bodies_or_none_take_over_at_any_time) {
   painter->set_on(true);
