@@ -341,7 +341,10 @@ void DevicePanel::show_real_time(const RealTime& granted) {
 
 void DevicePanel::show_energy(const HandEnergy& energy) {
   const auto show = [](QLabel* label, double joules) {
-    label->setText(QString::number(1e3 * joules, 'f', 1) + QStringLiteral(" mJ"));
+    const QString number = QString::number(1e3 * joules, 'f', 1);
+    // What rounds to nothing has no sign.
+    label->setText((number.toDouble() == 0 ? QStringLiteral("0.0") : number) +
+                   QStringLiteral(" mJ"));
   };
   show(given_, energy.given);
   show(excess_, energy.excess);

@@ -288,6 +288,15 @@ TEST_F(SimulatedDeviceTest, the_loop_runs_as_the_device_wants_and_else_as_the_sc
   EXPECT_EQ(rate(), 2000);
 }
 
+TEST_F(SimulatedDeviceTest, an_energy_that_rounds_to_nothing_has_no_sign) {
+  DevicePanel panel;
+  panel.show_energy({.given = -1e-6, .excess = -0.0, .dissipated = -2e-3});
+  const auto text = [&](const char* name) { return panel.findChild<QLabel*>(name)->text(); };
+  EXPECT_EQ(text("energy_given"), "0.0 mJ");
+  EXPECT_EQ(text("energy_excess"), "0.0 mJ");
+  EXPECT_EQ(text("energy_dissipated"), "-2.0 mJ");
+}
+
 TEST_F(SimulatedDeviceTest, the_energy_is_on_show_whether_the_controller_is_on_or_not) {
   auto* given = window->findChild<QLabel*>("energy_given");
   EXPECT_TRUE(wait_until([&] { return given->text().endsWith(" mJ"); }));
