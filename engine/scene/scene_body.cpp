@@ -37,12 +37,20 @@ std::vector<SceneBody> meshes_of(const SceneBody& body) {
 
 namespace {
 
-/// "a.off, b.off and 3 more".
+/// As short as that of a mesh alone is where it is shown: without the ending of the file.
+std::string short_part_name(const SceneBody& part) {
+  if (!part.name.empty()) return part.name;
+  const std::string stem = part.mesh.stem().string();
+  return part.component == 0 ? stem : stem + ":" + std::to_string(part.component);
+}
+
+/// "a, b and 3 more"; of one part, its own name.
 std::string name_of_parts(const std::vector<SceneBody>& parts) {
+  if (parts.size() == 1) return part_name(parts[0]);
   constexpr std::size_t most = 3;
   std::string name;
   for (std::size_t i = 0; i < std::min(parts.size(), most); ++i)
-    name += (i == 0 ? "" : ", ") + part_name(parts[i]);
+    name += (i == 0 ? "" : ", ") + short_part_name(parts[i]);
   if (parts.size() > most) name += " and " + std::to_string(parts.size() - most) + " more";
   return name;
 }
