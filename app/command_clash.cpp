@@ -182,8 +182,10 @@ void note(const std::vector<Clash>& found, std::size_t parts) {
   const auto count = [&](Clash::Kind kind) {
     return std::ranges::count(found, kind, &Clash::kind);
   };
-  std::cerr << "sonde: " << parts << " parts: " << count(Clash::Kind::overlapping)
-            << " pairs overlap, " << count(Clash::Kind::touching) << " touch";
+  const auto overlapping = count(Clash::Kind::overlapping), touching = count(Clash::Kind::touching);
+  std::cerr << "sonde: " << parts << " parts: " << overlapping
+            << (overlapping == 1 ? " pair overlaps, " : " pairs overlap, ") << touching
+            << (touching == 1 ? " touches" : " touch");
   if (const auto fits = std::ranges::count(found, true, &Clash::fit))
     std::cerr << " (" << fits << " of them in a fit: their depth is the way out)";
   if (const auto failed = count(Clash::Kind::failed)) std::cerr << ", " << failed << " failed";

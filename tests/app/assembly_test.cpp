@@ -99,7 +99,7 @@ TEST_F(Assembly, clash_lists_parts_of_the_probe_too) {
     EXPECT_EQ(found.text(0, "a"), "one");
     EXPECT_EQ(found.text(0, "b"), "two");
     EXPECT_NEAR(found.number(0, "depth"), over, 1e-6);
-    EXPECT_THAT(done.err, HasSubstr("3 parts: 1 pairs overlap"));
+    EXPECT_THAT(done.err, HasSubstr("3 parts: 1 pair overlaps, 0 touch"));
   }
 }
 
