@@ -104,6 +104,8 @@ class MainWindow : public QMainWindow {
   void show_start_page();
   /// The same, with the reason why these files were not opened.
   void show_start_page(const QString& reason, const QStringList& files);
+  /// No dock is on show until something is open.
+  void clear_desk();
   /// Lets the separated probe swing between the hand and the pose where it is held.
   void set_swing(bool on) { swing_ = on; }
   /// Looks at ticks that were made elsewhere, at that time (HistoryControl::show_kept).
@@ -140,7 +142,6 @@ class MainWindow : public QMainWindow {
   void add_repairs();
   void add_assembly();
   void add_sides();
-  void clear_desk();
   void fade_hint();
   void lay_desk();
   void place(const Pose& X_FM);

@@ -57,7 +57,8 @@ void MainWindow::fold_docks() {
   for (QDockWidget* dock : folded_) dock->setVisible(!any);
 }
 
-/// The start page has the window to itself: docks about nothing would be empty.
+/// The start page has the window to itself, and so has a question about what is being opened: docks
+/// about nothing would be empty.
 void MainWindow::clear_desk() {
   if (!desk_.isEmpty()) return;
   desk_ = saveState(state_version);

@@ -132,6 +132,7 @@ void begin(MainWindow& window, const Arguments& arguments) {
   if (arguments.demo.empty() && arguments.screenshot.empty()) {
     if (arguments.files.empty()) window.show_start_page();
     if (window.documents().offer_recovery() || arguments.files.empty()) return;
+    window.clear_desk();
   }
   open_command_line(window, arguments);
 }

@@ -172,6 +172,21 @@ TEST_F(DeskLayout, the_start_page_stands_alone_and_the_docks_come_back) {
   EXPECT_TRUE(find<QDockWidget>("pose_panel")->isVisible()) << "as it was left";
 }
 
+TEST_F(DeskLayout, no_dock_stands_round_a_question_about_what_is_being_opened) {
+  first_window({1280, 800});
+  int visible = -1;
+  window->prompts().ask_bodies = [&](const MeshPair& pair, const PairSetup&) {
+    visible = 0;
+    for (const QDockWidget* dock : window->findChildren<QDockWidget*>())
+      visible += dock->isVisible();
+    return std::optional(same_unit(pair, 1));
+  };
+  window->clear_desk();
+  open({path("cube.off"), path("large.off")});
+  EXPECT_EQ(visible, 0);
+  EXPECT_TRUE(find<QDockWidget>("readout_panel")->isVisible());
+}
+
 TEST_F(DeskLayout, nothing_overlaps_or_is_cut_off_at_any_size) {
   open_cubes();
   for (const char* theme : {"theme_dark", "theme_light"})
