@@ -97,6 +97,21 @@ class Climb {
   std::vector<Condition> conditions_;
 };
 
+/// Where the first look found nothing, any stiffness that theory and the device allow may be what
+/// the parts still to come allow, so each of these is tried, whichever comes to rest. The stiffest
+/// first.
+std::vector<double> without_first_look(const TuningPlan& plan) {
+  double most = std::min(plan.unmeasured, plan.request.high);
+  for (std::size_t i = 0; i < plan.contacts.situations.size(); ++i)
+    most = std::min(
+        most,
+        theory_limits(tuning_setup(plan, i, hand_grips[0]), plan.axis, plan.damping_share).stable);
+  std::vector<double> out;
+  const double least = std::max(plan.request.low, lowest * most);
+  for (double k = most; k >= least && k > 0; k /= coarse_step) out.push_back(k);
+  return out;
+}
+
 Json json_of(const Swing& swing) {
   return {{"situation", swing.kind},
           {"hand", swing.hand},
@@ -150,7 +165,10 @@ RestLadder climb_down(const TuningPlan& plan, const Stop& stop) {
   const Climb climb(plan, stop);
   const double first = plan.held_stiffness;
   RestLadder out{plan.axis, damping_of(plan), {}};
-  if (!(first > 0)) return out;
+  if (!(first > 0)) {
+    for (const double k : without_first_look(plan)) out.rungs.push_back(climb.at(k));
+    return out;
+  }
   for (double k = above_first_look * first; k > lowest * first;) {
     if (k <= plan.unmeasured * rounding) out.rungs.push_back(climb.at(k));
     if (k < looked_below * first && out.held(k)) break;

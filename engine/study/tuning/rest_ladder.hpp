@@ -49,7 +49,8 @@ constexpr HandGrip limp_hand{"limp", 50, 0.2};
 TuningSetup ladder_setup(const TuningPlan& plan, std::size_t situation, const HandGrip& hand);
 
 /// Climbs down until everything comes to rest, and a little further; at most to 1/8 of the first
-/// look. Throws Cancelled.
+/// look. If that allows nothing, to 1/8 of what theory, the driver and the encoder allow, wherever
+/// everything comes to rest. Throws Cancelled.
 RestLadder climb_down(const TuningPlan& plan, const Stop& stop);
 
 std::string to_json(const RestLadder& ladder);

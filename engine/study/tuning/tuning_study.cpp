@@ -283,11 +283,11 @@ std::shared_ptr<const TuningPlan> study_plan(const TuningRequest& request, unsig
 
 Study plan_tuning(const std::shared_ptr<const TuningPlan>& plan) {
   Study study = study_of(plan, parts_of(*plan));
-  // The longest part, so it begins first.
-  if (plan->held_stiffness > 0)
-    study.parts.insert(study.parts.begin(), {ladder_part, [plan](const Stop& stop) {
-                                               return to_json(climb_down(*plan, stop));
-                                             }});
+  // The longest part, so it begins first. Also where the first look allows nothing: other parts may
+  // allow more, and what was never tried is not recommended.
+  study.parts.insert(study.parts.begin(), {ladder_part, [plan](const Stop& stop) {
+                                             return to_json(climb_down(*plan, stop));
+                                           }});
   Json about = Json::parse(study.about);
   about["held_stiffness"] = plan->held_stiffness;
   study.about = about.dump();

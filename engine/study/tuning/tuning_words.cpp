@@ -173,6 +173,10 @@ std::vector<std::string> rest_words(const TuningResults& results, const AxisGain
     out.push_back("at no stiffness tried did it come to rest everywhere: at the softest, " +
                   swing_text(*gains.swings));
     out.push_back(what_would_help(results, *gains.swings));
+  } else if (!gains.limits.empty() && gains.limits.front().stiffness > 0) {
+    out.push_back("its limits allow " + short_text(gains.limits.front().stiffness) +
+                  stiffness_unit(gains.axis) +
+                  ", but nothing so soft was held until it rests, so it is not recommended");
   }
   return out;
 }

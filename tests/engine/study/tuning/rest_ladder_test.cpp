@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -125,13 +127,8 @@ TEST(RestLadder, what_one_contact_does_not_know_nobody_knows) {
   EXPECT_DOUBLE_EQ(*recommend(r, GainAxis::object)->released_any_swing, 600);
 }
 
-// Reference: a minute of the loop in each contact and hand of the ladder, on the rung recommended.
-TEST(RestLadder, what_is_recommended_rests_for_a_minute) {
-  TuningRequest request = test::pressed_boxes();
-  request.device.mass.assumed = false;
-  const TuningResults results = test::tuned(request);
-  const auto gains = recommend(results, GainAxis::object);
-  ASSERT_TRUE(gains && gains->tried && gains->stiffness > 0);
+/// Holds the probe in each contact and hand of the ladder, for windows of so many seconds.
+void expect_rest(const TuningRequest& request, const AxisGains& gains, double seconds) {
   const TuningPlan plan = tuning_plan(request, never);
   for (std::size_t i = 0; i < plan.contacts.situations.size(); ++i)
     for (const HandGrip& hand : {limp_hand, hand_grips[0], hand_grips[1]})
@@ -139,14 +136,46 @@ TEST(RestLadder, what_is_recommended_rests_for_a_minute) {
         TuningSetup setup = ladder_setup(plan, i, hand);
         setup.loop.device.translation.friction *= friction;
         setup.loop.device.rotation.friction *= friction;
-        set_gains(setup.loop.coupling, GainAxis::object, gains->stiffness, 0, {});
+        set_gains(setup.loop.coupling, GainAxis::object, gains.stiffness, 0, {});
         Press press = press_of(setup, GainAxis::object);
         press.knock = 3;
-        press.window_time = 30;
+        press.window_time = seconds;
         ClosedLoop loop(setup.loop);
         const HoldReport held = press_and_hold(loop, press);
         EXPECT_LE(held.kinetic, quiet_energy(press, setup.loop.device)) << hand.name << friction;
       }
+}
+
+// Reference: a minute of the loop in each contact and hand of the ladder, on the rung recommended.
+TEST(RestLadder, what_is_recommended_rests_for_a_minute) {
+  TuningRequest request = test::pressed_boxes();
+  request.device.mass.assumed = false;
+  const TuningResults results = test::tuned(request);
+  const auto gains = recommend(results, GainAxis::object);
+  ASSERT_TRUE(gains && gains->tried && gains->stiffness > 0);
+  expect_rest(request, *gains, 30);
+}
+
+// Reference: the loop on the rung recommended, for 20 s. What the limits alone allow is no rung.
+TEST(RestLadder, what_a_first_look_did_not_find_is_recommended_only_once_tried) {
+  TuningRequest request = test::pressed_boxes();
+  request.device.mass.assumed = false;
+  const auto plan = std::make_shared<TuningPlan>(*study_plan(request, 1, never));
+  plan->held_stiffness = 0;
+  TuningResults results = read_tuning("", compute_at_once(plan_tuning(plan), 2, never));
+  const auto gains = recommend(results, GainAxis::object);
+  ASSERT_TRUE(gains && gains->tried && results.ladder);
+  EXPECT_EQ(std::ranges::count(results.ladder->rungs, gains->stiffness, &Rung::stiffness), 1);
+  ASSERT_GT(gains->stiffness, 0);
+  expect_rest(request, *gains, 10);
+  const double least = results.ladder->rungs.back().stiffness;
+  EXPECT_LE(results.ladder->rungs.front().stiffness, plan->unmeasured);
+  EXPECT_LT(least, 0.2 * plan->unmeasured) << "also below what holds: a part may yet allow less";
+  for (TuningLine& line : results.lines)
+    line.columns.front().stable.stiffness = line.columns.front().good.stiffness = 0.9 * least;
+  EXPECT_FALSE(has_recommendation(results));
+  EXPECT_THAT(recommendation_in_words(results),
+              Contains(HasSubstr("nothing so soft was held until it rests")));
 }
 
 }  // namespace
