@@ -19,7 +19,8 @@ struct TestedClaim {
   const char* claim;
   Finding finding = Finding::undecided;
   int for_it = 0, against_it = 0;  ///< trials
-  int alike = 0;                   ///< trials within 2 % of each other, which count for neither
+  /// Trials that count for neither: within 2 % of each other, or of less than the solver resolves.
+  int alike = 0;
   /// Of a split at least as uneven, either way, if both sides were as likely (sign test).
   double chance = 1;
 };
@@ -30,10 +31,12 @@ constexpr double significant = 0.05;
 /// - Smoother force, smoother torque: by the total variation in each trial, which is a quarter of a
 /// second in which both are in contact all the time. Both renderings are scaled to the same mean
 /// force in it, since a softer rendering is not a smoother one; the torque is scaled with its
-/// force.
+/// force. What differs by less than a swing between both ends of the clearance that the solver may
+/// leave (allowed_clearance) is alike: its force, and the probe's radius times that as a torque.
 /// - Fewer steps, fewer pop-throughs: each is a trial. What counts as a step depends on the motion
 /// of the device, not on the size of the force.
-/// - A torque nearer to the known one (TorqueRealism): tick by tick, at equal forces.
+/// - A torque nearer to the known one (TorqueRealism): tick by tick, at equal forces. Errors that
+/// differ by less than that clearance, as a share of the depth, are alike.
 /// - More stable: for each contact, the force at the same device pose with the stiffest coupling
 /// that is stable in that contact on the device. The method that renders more force before it
 /// oscillates is the more stable one at equal forces. Without a device there is no data.

@@ -55,6 +55,54 @@ TEST(Claims, what_trembles_less_is_smoother_and_could_have_been_the_other) {
   EXPECT_LT(supported.chance, 1e-4);
 }
 
+/// Pressed flat, 5 mm deep, at 500 N/m: what little torque there is alternates by `torque`.
+Comparison pressed_flat(double torque) {
+  Comparison c;
+  c.stiffness = 500;
+  c.radius = 0.05;
+  c.pdt = c.pdg = rubbing(1, 0.01);
+  for (std::size_t i = 0; i < c.pdt.size(); ++i) {
+    for (RenderedTick* each : {&c.pdt[i], &c.pdg[i]}) {
+      each->depth = 0.005;
+      each->torque.setZero();
+    }
+    c.pdt[i].torque.x() = i % 2 == 0 ? 0 : torque;
+  }
+  return c;
+}
+
+// Reference: the clearance may be 1e-4 of the depth, here worth 500 N/m · 5e-7 m = 0.25 mN, and
+// 0.0125 mN·m on the radius; each may be off by as much at both ends of a swing. A trial has 250
+// ticks, 249 changes of the alternating torque.
+TEST(Claims, rounding_is_no_tremble) {
+  const double resolved = 4 * 0.0125e-3 / 249;
+  for (const double torque : {1e-16, 1e-13, 0.9 * resolved}) {
+    const TestedClaim claim = tested_claims(pressed_flat(torque)).at(1);
+    EXPECT_EQ(claim.finding, Finding::undecided) << torque;
+    EXPECT_EQ(claim.alike, 16) << torque;
+  }
+  EXPECT_EQ(tested_claims(pressed_flat(1.1 * resolved)).at(1).finding, Finding::supported);
+  Comparison swapped = pressed_flat(1.1 * resolved);
+  std::swap(swapped.pdt, swapped.pdg);
+  EXPECT_EQ(tested_claims(swapped).at(1).finding, Finding::refuted);
+}
+
+// Reference: of a depth known to 1e-4 of itself, so is the torque, of force times radius.
+TEST(Claims, two_torques_that_are_as_right_as_the_solver_are_alike) {
+  const auto nearer = [](double pdt, double pdg) {
+    Comparison c;
+    for (std::size_t i = 0; i < 12; ++i) {
+      c.of_pdt.realism.at_equal_force.push_back({i, pdt});
+      c.of_pdg.realism.at_equal_force.push_back({i, pdg});
+    }
+    return tested_claims(c).at(4).finding;
+  };
+  EXPECT_EQ(nearer(1.9e-4, 1e-9), Finding::undecided);
+  EXPECT_EQ(nearer(1e-9, 1e-13), Finding::undecided);
+  EXPECT_EQ(nearer(2.1e-4, 1e-9), Finding::supported);
+  EXPECT_EQ(nearer(1e-9, 2.1e-4), Finding::refuted);
+}
+
 TEST(Claims, of_what_there_was_no_trial_there_is_no_finding) {
   EXPECT_EQ(claim_of({}, {}).finding, Finding::none);
   EXPECT_EQ(claim_of(rubbing(1, 0.1), rubbing(1, 0.1), 3).finding, Finding::none)
