@@ -6,6 +6,7 @@
 #include "engine/settings/settings.hpp"
 #include "engine/study/stability/press_and_hold.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
+#include "engine/study/tuning/tuning_words.hpp"
 #include "ui/base/format.hpp"
 #include "ui/document/kept_gains.hpp"
 #include "ui/document/session.hpp"
@@ -207,13 +208,13 @@ ForceNote StiffnessControl::note_now() const {
   if (is_of_what_is_open()) {
     const GainAxis axis = axes_of(tuning_->results).front();
     const MapPoint gains = point_of(session_->coupling(), axis);
-    const auto boundary = boundary_in(tuning_->results, axis, contact_, gains.damping);
+    const auto allowed = allowed_at(tuning_->results, axis, gains.damping, contact_);
     const QString distance =
-        boundary ? distance_text(gains.stiffness, boundary->stiffness) : QString();
+        allowed ? distance_text(gains.stiffness, allowed->stiffness) : QString();
     if (!distance.isEmpty())
-      note.text =
-          QStringLiteral("by the study of %1 in %2:\n%3 in %4 contact")
-              .arg(text(tuning_->results.device_id), words_of(*boundary), distance, text(contact_));
+      note.text = QStringLiteral("by the study of %1:\n%2 in %3 contact,\n%4")
+                      .arg(text(tuning_->results.device_id), distance, text(contact_),
+                           text(limit_in_words(*allowed)));
   }
   if (buzz_ && buzz_->waiting)
     note.text = QStringLiteral("%1 now: the gains set wait%2")

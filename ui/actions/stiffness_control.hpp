@@ -36,7 +36,7 @@ class StiffnessControl : public QObject {
   /// The newest figures; none before a second of ticks, or in a pause.
   const std::optional<Buzz>& buzz() const { return buzz_; }
   /// What the view says of it beside the force: whether it buzzes, and how far the gains are from
-  /// the boundary of the present contact, where a map of this pair and device tells.
+  /// what is allowed in the present contact, where a map of this pair and device tells.
   const ForceNote& note() const { return note_; }
 
   /// Another session was opened; null for none. `same_gains`: of the same scene, so that A and B

@@ -324,7 +324,6 @@ void StiffnessPanel::show_point() {
   if (!drawn)
     return place_->setText(QStringLiteral("The map is of the %1 coupling, the sliders are not.")
                                .arg(QLatin1String(name_of(tuning_->results.mode))));
-  const auto gains = recommend(tuning_->results, axis());
   const auto found = plot_->map_class(point);
   // What a study predicts for its own hands; what is measured in this one stands above.
   QString words = QStringLiteral("By the study of %1, %2 = %3 %4 ")
@@ -334,7 +333,7 @@ void StiffnessPanel::show_point() {
                ? QStringLiteral("is %1 in every contact and hand shown, with the device's friction")
                      .arg(QLatin1String(name_of(*found)))
                : QStringLiteral("is off the map");
-  const QString margin = gains ? margin_text(tuning_->results, *gains, point.stiffness) : QString();
+  const QString margin = margin_text(tuning_->results, axis(), point.stiffness, point.damping);
   if (!margin.isEmpty()) words += QStringLiteral("; ") + margin;
   const QString contact = contact_words(point);
   place_->setText(words + '.' + (contact.isEmpty() ? QString() : '\n' + contact));
@@ -342,14 +341,11 @@ void StiffnessPanel::show_point() {
 
 QString StiffnessPanel::contact_words(const MapPoint& point) const {
   if (contact_.empty()) return {};
-  const QString name = QStringLiteral("Contact now: %1, ").arg(text(contact_));
-  const auto boundary = boundary_in(tuning_->results, axis(), contact_, point.damping);
-  if (!boundary) return name + QStringLiteral("which the study has not.");
-  if (!std::isfinite(boundary->stiffness))
-    return name + QStringLiteral("by the study stable in its range.");
-  return name + QStringLiteral("by the study's boundary of %1 %2 (%3): %4.")
-                    .arg(number(boundary->stiffness), stiffness_unit(axis()), words_of(*boundary),
-                         distance_text(point.stiffness, boundary->stiffness));
+  const auto allowed = allowed_at(tuning_->results, axis(), point.damping, contact_);
+  return QStringLiteral("Contact now: %1, %2.")
+      .arg(text(contact_),
+           allowed ? QStringLiteral("in it ") + allowed_text(*allowed, axis(), point.stiffness)
+                   : QStringLiteral("which the study has not"));
 }
 
 void StiffnessPanel::show_contact(const std::string& kind) {

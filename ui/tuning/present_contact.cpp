@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tuning/present_contact.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "engine/study/stability/contact_situations.hpp"
-#include "engine/study/tuning/assumptions.hpp"
+#include "engine/study/tuning/tuning_words.hpp"
 #include "ui/base/format.hpp"
+#include "ui/tuning/stability_map.hpp"
 
 namespace sonde::ui {
 
@@ -15,52 +15,24 @@ std::string kind_of_contact(const Separation& separation) {
   return holds ? name_of(contact_kind(separation)) : std::string();
 }
 
-namespace {
-
-StudiedBoundary::Basis basis_of(const TuningColumn& column, double boundary) {
-  using Basis = StudiedBoundary::Basis;
-  const auto at = [&](const std::optional<SweepLimit>& limit) {
-    return limit && limit->fault != HoldFault::none && limit->stiffness == boundary;
-  };
-  if (at(column.stable)) return Basis::as_is;
-  return at(column.harder_knocks) ? Basis::harder_knocks : Basis::without_friction;
+QString distance_text(double stiffness, double allowed) {
+  constexpr double to_three_digits = 1.005;  // "1.00 times" would say nothing, of either side
+  if (!std::isfinite(allowed) || stiffness <= 0) return {};
+  if (allowed <= 0) return QStringLiteral("no stiffness is good");
+  if (stiffness > to_three_digits * allowed)
+    return QStringLiteral("%1 times too stiff").arg(number(stiffness / allowed));
+  if (allowed > to_three_digits * stiffness)
+    return QStringLiteral("could be %1 times as stiff").arg(number(allowed / stiffness));
+  return QStringLiteral("as stiff as it may be");
 }
 
-}  // namespace
-
-std::optional<StudiedBoundary> boundary_in(const TuningResults& results, GainAxis axis,
-                                           const std::string& kind, double damping) {
-  std::optional<StudiedBoundary> least;
-  for (const TuningLine& line : results.lines) {
-    if (line.axis != axis || line.kind != kind || !line.assumed.empty() || line.columns.empty())
-      continue;
-    const TuningColumn& column = *std::ranges::min_element(
-        line.columns, {},
-        [&](const TuningColumn& each) { return std::abs(each.damping - damping); });
-    const double own = boundary_that_counts(results, column);
-    if (!least || own < least->stiffness) least = {own, line.hand, basis_of(column, own)};
-  }
-  return least;
-}
-
-QString words_of(const StudiedBoundary& boundary) {
-  QString hand = QStringLiteral("a %1 hand").arg(text(boundary.hand));
-  switch (boundary.basis) {
-    case StudiedBoundary::Basis::without_friction:
-      return hand + QStringLiteral(", without friction");
-    case StudiedBoundary::Basis::harder_knocks:
-      return hand + QStringLiteral(", at harder knocks");
-    case StudiedBoundary::Basis::as_is:
-      break;
-  }
-  return hand;
-}
-
-QString distance_text(double stiffness, double boundary) {
-  if (!std::isfinite(boundary) || boundary <= 0 || stiffness <= 0) return {};
-  return stiffness > boundary
-             ? QStringLiteral("%1 times too stiff").arg(number(stiffness / boundary))
-             : QStringLiteral("could be %1 times as stiff").arg(number(boundary / stiffness));
+QString allowed_text(const GainLimit& allowed, GainAxis axis, double stiffness) {
+  const QString limited = text(limit_in_words(allowed));
+  if (!(allowed.stiffness > 0))
+    return QStringLiteral("the study allows no stiffness, %1").arg(limited);
+  return QStringLiteral("the study allows %1 %2, %3: %4")
+      .arg(number(allowed.stiffness), stiffness_unit(axis), limited,
+           distance_text(stiffness, allowed.stiffness));
 }
 
 }  // namespace sonde::ui

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "engine/penetration/contact/separation.hpp"
-#include "engine/study/tuning/tuning_results.hpp"
+#include "engine/study/tuning/gain_recommendation.hpp"
 
 namespace sonde::ui {
 
@@ -14,23 +14,13 @@ namespace sonde::ui {
 /// where there is none.
 std::string kind_of_contact(const Separation& separation);
 
-/// A boundary of stability as a study has it: what it is for and what it takes for granted.
-struct StudiedBoundary {
-  double stiffness = 0;  ///< N/m or N·m/rad, by the axis; infinite where nothing studied fails
-  std::string hand;      ///< the simulated hand that holds the device: "light", "firm"
-  enum class Basis { as_is, without_friction, harder_knocks } basis = Basis::as_is;
-};
-/// The boundary that counts (boundary_that_counts) in contacts of one kind, the least of all
-/// situations and hands, at the swept damping nearest to `damping`; no value where the study has no
-/// such contact.
-std::optional<StudiedBoundary> boundary_in(const TuningResults& results, GainAxis axis,
-                                           const std::string& kind, double damping);
+/// Where a stiffness lies, seen from the one that a study allows, so that it cannot be read the
+/// other way round: "could be 1.80 times as stiff", "70.3 times too stiff", "as stiff as it may
+/// be". Empty where nothing limits.
+QString distance_text(double stiffness, double allowed);
 
-/// "a light hand", "a light hand, without friction".
-QString words_of(const StudiedBoundary& boundary);
-
-/// Where a stiffness lies, seen from its boundary, so that it cannot be read the other way round:
-/// "could be 1.80 times as stiff", "70.3 times too stiff". Empty where there is no boundary.
-QString distance_text(double stiffness, double boundary);
+/// The same with the limit (allowed_at): "the study allows 600 N/m, limited by stability (edge
+/// contact, light hand): could be 2.00 times as stiff".
+QString allowed_text(const GainLimit& allowed, GainAxis axis, double stiffness);
 
 }  // namespace sonde::ui

@@ -10,6 +10,7 @@
 
 #include "engine/study/stability/contact_stability.hpp"
 #include "engine/study/tuning/assumptions.hpp"
+#include "engine/study/tuning/tuning_words.hpp"
 #include "ui/base/format.hpp"
 #include "ui/tuning/present_contact.hpp"
 #include "ui/tuning/stability_map.hpp"
@@ -107,7 +108,13 @@ QString let_go(const AxisGains& gains) {
   return {};
 }
 
-QString margin(const AxisGains& gains) {
+/// The terminal's sentence, as one of several.
+QString sentence(const std::string& words) {
+  const QString line = text(words);
+  return line.left(1).toUpper() + line.mid(1) + '.';
+}
+
+QString margin(const TuningResults& results, const AxisGains& gains) {
   const QString unit = stiffness_unit(gains.axis);
   QString line =
       QStringLiteral("Limited by %1%2.").arg(words_of(gains.limit.reason), where(gains.limit));
@@ -123,8 +130,8 @@ QString margin(const AxisGains& gains) {
         QStringLiteral(" At harder knocks, up to %1.").arg(with_unit(gains.harder_knocks, unit));
   if (std::isfinite(gains.passive) && gains.passive > 0)
     line += QStringLiteral(" Passive in theory up to %1.").arg(with_unit(gains.passive, unit));
-  if (gains.passive == 0)
-    line += QStringLiteral(" Passive at no stiffness: the wrench is no gradient of an energy.");
+  if (const std::string words = passivity_in_words(results, gains); !words.empty())
+    line += ' ' + sentence(words);
   return line + let_go(gains);
 }
 
@@ -266,10 +273,12 @@ QString recommendation_text(const TuningResults& results, GainAxis axis) {
     lines << (alone ? QStringLiteral("Alone, with the rest soft: ")
                     : QStringLiteral("Recommended: ")) +
                  values(*gains) + rotational_values(*gains, results.joint)
-          << margin(*gains);
+          << margin(results, *gains);
   else
-    lines << QStringLiteral("No stiffness in the range studied is good: %1%2.")
-                 .arg(words_of(gains->limit.reason), where(gains->limit));
+    lines << QStringLiteral("No stiffness in the range studied is good, %1.")
+                 .arg(text(limit_in_words(gains->limit)));
+  if (gains->stiffness <= 0)
+    for (const std::string& words : rest_in_words(results, *gains)) lines << sentence(words);
   const QString swings =
       alone || gains->stiffness <= 0 ? QString() : lasting_swings(results, *gains);
   if (!swings.isEmpty()) lines << swings;
@@ -280,18 +289,9 @@ QString recommendation_text(const TuningResults& results, GainAxis axis) {
   return lines.join('\n');
 }
 
-QString margin_text(const TuningResults& results, const AxisGains& recommended, double stiffness) {
-  const double boundary = boundary_that_counts(results, recommended);
-  if (!std::isfinite(boundary) || boundary <= 0) return {};
-  const bool as_is = boundary == recommended.boundary;
-  const bool no_friction = !as_is && boundary == recommended.without_friction;
-  const char* condition = as_is ? "" : no_friction ? " without friction" : " at harder knocks";
-  const char* reason = as_is ? "stability" : no_friction ? "friction" : "knocks";
-  const auto limit = std::ranges::find(recommended.limits, reason, &GainLimit::reason);
-  return QStringLiteral("the boundary%1 is %2%3: %4")
-      .arg(QLatin1String(condition), with_unit(boundary, stiffness_unit(recommended.axis)),
-           limit == recommended.limits.end() ? QString() : where(*limit),
-           distance_text(stiffness, boundary));
+QString margin_text(const TuningResults& results, GainAxis axis, double stiffness, double damping) {
+  const auto allowed = allowed_at(results, axis, damping);
+  return allowed ? allowed_text(*allowed, axis, stiffness) : QString();
 }
 
 }  // namespace sonde::ui

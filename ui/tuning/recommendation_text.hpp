@@ -12,8 +12,8 @@ namespace sonde::ui {
 /// Plain text, lines separated by '\n'; states where there is no recommendation.
 QString recommendation_text(const TuningResults& results, GainAxis axis);
 
-/// Gains of one axis relative to the boundary that counts: "the boundary is 1210 N/m: could be 1.47
-/// times as stiff". Empty where the study found no boundary.
-QString margin_text(const TuningResults& results, const AxisGains& recommended, double stiffness);
+/// Gains of one axis relative to what the study allows at that damping (allowed_text). Empty where
+/// it has no line of that axis.
+QString margin_text(const TuningResults& results, GainAxis axis, double stiffness, double damping);
 
 }  // namespace sonde::ui

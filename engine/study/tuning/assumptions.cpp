@@ -55,22 +55,6 @@ std::vector<AssumedInterval>::iterator limits_most(std::vector<AssumedInterval>&
 
 }  // namespace
 
-double boundary_that_counts(const TuningResults& results, const AxisGains& gains) {
-  const double least = std::min(gains.boundary, gains.harder_knocks);
-  return results.trusts_friction ? least : std::min(least, gains.without_friction);
-}
-
-double boundary_that_counts(const TuningResults& results, const TuningColumn& column) {
-  double least = infinity;
-  const auto take = [&](const std::optional<SweepLimit>& limit) {
-    if (limit && limit->fault != HoldFault::none) least = std::min(least, limit->stiffness);
-  };
-  take(column.stable);
-  take(column.harder_knocks);
-  if (!results.trusts_friction) take(column.without_friction);
-  return least;
-}
-
 std::vector<AssumedInterval> assumed_intervals(const TuningResults& results, GainAxis axis) {
   std::vector<AssumedInterval> out;
   for (const auto& [key, value] : varied_values(results, axis))

@@ -25,12 +25,6 @@ struct AssumedInterval {
 /// hand, resolves no more.
 constexpr double resolved = 1.05;
 
-/// The least stability limit: at harder knocks or, unless friction is trusted, without friction, if
-/// that is lower. Infinite if nothing was unstable.
-double boundary_that_counts(const TuningResults& results, const AxisGains& gains);
-/// The same in one situation, with one hand and damping.
-double boundary_that_counts(const TuningResults& results, const TuningColumn& column);
-
 /// For each value that the study varied, in the one situation where it did; first the one that
 /// limits the recommended stiffness most. At its worse end least is recommended; of those that the
 /// search cannot tell apart there, it is the one at whose better end most is. The others follow by

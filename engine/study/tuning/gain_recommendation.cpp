@@ -272,14 +272,26 @@ std::optional<AxisGains> recommend(const TuningResults& results, GainAxis axis,
   return best(results, lines, device, axis);
 }
 
-std::vector<AxisGains> recommend_at_each_damping(const TuningResults& results, GainAxis axis) {
-  const Lines lines = lines_where(
-      results, [&](const TuningLine& line) { return line.axis == axis && line.assumed.empty(); });
+std::vector<AxisGains> recommend_at_each_damping(const TuningResults& results, GainAxis axis,
+                                                 const std::string& kind) {
+  const Lines lines = lines_where(results, [&](const TuningLine& line) {
+    return line.axis == axis && line.assumed.empty() && (kind.empty() || line.kind == kind);
+  });
   std::vector<AxisGains> out;
   if (lines.empty()) return out;
   for (const TuningColumn& column : lines.front()->columns)
     out.push_back(gains_at(results, lines, results.device, axis, column.damping));
   return out;
+}
+
+std::optional<GainLimit> allowed_at(const TuningResults& results, GainAxis axis, double damping,
+                                    const std::string& kind) {
+  const std::vector<AxisGains> each = recommend_at_each_damping(results, axis, kind);
+  const auto recommended = recommend(results, axis);
+  if (each.empty() || !recommended) return std::nullopt;
+  const AxisGains& nearest = *std::ranges::min_element(
+      each, {}, [&](const AxisGains& gains) { return std::abs(gains.damping - damping); });
+  return recommended->stiffness < nearest.stiffness ? recommended->limit : nearest.limit;
 }
 
 std::optional<AxisGains> best_damped(const TuningResults& results, const AxisGains& best) {

@@ -82,8 +82,15 @@ DampingRatios damping_ratios(const TuningResults& results, const AxisGains& gain
 /// situation; no value if there are none.
 std::optional<AxisGains> recommend(const TuningResults& results, GainAxis axis,
                                    const std::string& assumed = {}, double times = 1);
-/// The gains of the lines of one axis at each swept damping, the least damping first.
-std::vector<AxisGains> recommend_at_each_damping(const TuningResults& results, GainAxis axis);
+/// The gains of the lines of one axis at each swept damping, the least damping first; with `kind`,
+/// only from its contacts.
+std::vector<AxisGains> recommend_at_each_damping(const TuningResults& results, GainAxis axis,
+                                                 const std::string& kind = {});
+/// What may be rendered at the swept damping nearest to `damping`, with the limit that decides:
+/// with `kind`, in its contacts. Never stiffer than what is recommended, which alone was tried
+/// until it rests. No value if the study has no such line.
+std::optional<GainLimit> allowed_at(const TuningResults& results, GainAxis axis, double damping,
+                                    const std::string& kind = {});
 /// The best of the other dampings, with both dampers or one: the one that allows the largest
 /// stiffness.
 std::optional<AxisGains> best_damped(const TuningResults& results, const AxisGains& gains);

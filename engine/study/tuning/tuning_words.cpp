@@ -41,9 +41,14 @@ std::string where(const GainLimit& limit) {
   return " (" + limit.kind + " contact" + (limit.hand.empty() ? "" : ", " + limit.hand + " hand") +
          ")";
 }
-std::string why(const GainLimit& limit) {
+
+}  // namespace
+
+std::string limit_in_words(const GainLimit& limit) {
   return "limited by " + words_of(limit.reason) + where(limit);
 }
+
+namespace {
 
 const char* stiffness_unit(GainAxis axis) {
   return axis == GainAxis::rotation ? " N·m/rad" : " N/m";
@@ -106,7 +111,7 @@ std::string why_no_damping(const TuningResults& results, const AxisGains& best) 
   if (best.damping > 0 || best.stiffness <= 0 || !next) return {};
   const bool by_itself = is_joint(next->axis) && next->axis != GainAxis::together;
   return "no virtual damping is best: at " + damping_text(*next) + (by_itself ? " by itself" : "") +
-         " the stiffness may be " + stiffness_text(*next) + ", " + why(next->limit);
+         " the stiffness may be " + stiffness_text(*next) + ", " + limit_in_words(next->limit);
 }
 
 /// What came to rest without friction did so in the engine's contact, which bends and ends.
@@ -154,9 +159,11 @@ std::string what_would_help(const TuningResults& results, const Swing& swing) {
   return "what would help: " + out;
 }
 
-/// The results of the ladder.
-std::vector<std::string> rest_words(const TuningResults& results, const AxisGains& gains) {
+}  // namespace
+
+std::vector<std::string> rest_in_words(const TuningResults& results, const AxisGains& gains) {
   std::vector<std::string> out;
+  if (!gains.tried) return out;
   if (gains.stiffness > 0) {
     const bool frictionless = !has_friction(results);
     const std::string frictions = frictionless               ? "without friction"
@@ -180,6 +187,8 @@ std::vector<std::string> rest_words(const TuningResults& results, const AxisGain
   }
   return out;
 }
+
+namespace {
 
 std::string let_go_text(const TuningResults& results, const AxisGains& gains) {
   const auto stiffness = [&](double value) {
@@ -222,9 +231,10 @@ std::string damping_not_passive(const AxisGains& gains) {
              : "no stiffness is passive: the device has no damping of its own";
 }
 
-/// Why no stiffness is passive, where none is. If the wrench is no gradient: for a cycle of 1 mm
-/// and 0.1 rad, each from end to end.
-std::string passivity_text(const TuningResults& results, const AxisGains& gains) {
+}  // namespace
+
+/// If the wrench is no gradient: for a cycle of 1 mm and 0.1 rad, each from end to end.
+std::string passivity_in_words(const TuningResults& results, const AxisGains& gains) {
   if (!(gains.stiffness > 0) || gains.passive > 0) return {};
   if (!(gains.cycle_lever > 0)) return damping_not_passive(gains);
   const double energy = gains.stiffness * gains.cycle_lever * 0.05 * 2e-3;
@@ -241,6 +251,8 @@ std::string passivity_text(const TuningResults& results, const AxisGains& gains)
   return out;
 }
 
+namespace {
+
 /// If a damper may allow much more than the object norm by itself does.
 std::string damper_text(const TuningResults& results, const AxisGains& gains) {
   constexpr double much = 1.2;
@@ -252,7 +264,7 @@ std::string damper_text(const TuningResults& results, const AxisGains& gains) {
 
 /// The results of the holds of seconds.
 std::vector<std::string> lasting_swings(const TuningResults& results, const AxisGains& gains) {
-  if (gains.tried) return rest_words(results, gains);
+  if (gains.tried) return rest_in_words(results, gains);
   if (gains.stiffness <= 0) return {};
   if (gains.held_at == 0)
     return {
@@ -339,7 +351,7 @@ std::string gains_in_words(const TuningResults& results) {
     if (!gains) continue;
     if (!out.empty()) out += "; ";
     out += gains->stiffness > 0 ? gains_text(*gains, results.joint) : "no stiffness is good";
-    out += ", " + why(gains->limit);
+    out += ", " + limit_in_words(gains->limit);
   }
   return out;
 }
@@ -354,7 +366,7 @@ std::vector<std::string> recommendation_in_words(const TuningResults& results) {
     if (!gains) continue;
     for (const std::string& sentence : lasting_swings(results, *gains)) add(sentence);
     add(let_go_text(results, *gains));
-    add(passivity_text(results, *gains));
+    add(passivity_in_words(results, *gains));
     add(damper_text(results, *gains));
     add(beyond_theory(*gains));
     add(damping_ratio_text(results, *gains));

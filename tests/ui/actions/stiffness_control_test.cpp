@@ -34,8 +34,8 @@ TEST_F(StiffnessTest, the_point_on_the_map_moves_with_the_slider) {
   EXPECT_TRUE(
       text("map_place")
           .contains("By the study of sigma.7, k = 500 N/m is stable in every contact and hand "
-                    "shown, with the device's friction; the boundary is 900 N/m (edge "
-                    "contact, light hand): could be 1.80 times as stiff"))
+                    "shown, with the device's friction; the study allows 600 N/m, limited by "
+                    "stability (edge contact, light hand): could be 1.20 times as stiff"))
       << text("map_place").toStdString();
   const double before = plot->place(*plot->now()).x();
   auto* slider = find<QSlider>("k_slider");
@@ -199,8 +199,8 @@ TEST_F(StiffnessTest, the_present_contact_is_marked_on_the_map_with_its_own_boun
   ASSERT_TRUE(wait_until([&] { return plot->contact() == "conforming"; }));
   EXPECT_TRUE(
       text("map_place")
-          .contains("Contact now: conforming, by the study's boundary of 900 N/m (a light hand): "
-                    "could be 1.80 times as stiff"))
+          .contains("Contact now: conforming, in it the study allows 600 N/m, limited by stability "
+                    "(conforming contact, light hand): could be 1.20 times as stiff"))
       << text("map_place").toStdString();
   EXPECT_GT(yellow(false), 20) << "the name's plate, and the boundary";
   EXPECT_EQ(yellow(true), 0);
@@ -263,9 +263,11 @@ TEST_F(StiffnessTest, so_are_the_gains_of_the_classic_coupling) {
 TEST_F(StiffnessTest, the_view_says_beside_the_force_how_far_the_boundary_is) {
   const auto said = [&] { return stiffness().note().text; };
   // A prediction, so it names the hand that it is for; nothing is wrong now.
-  const QString study = "by the study of sigma.7 in a light hand:\n";
-  const QString could = study + "could be 1.80 times as stiff in conforming contact";
-  const QString too = study + "2.00 times too stiff in conforming contact";
+  const QString study = "by the study of sigma.7:\n";
+  const QString by =
+      " in conforming contact,\nlimited by stability (conforming contact, light hand)";
+  const QString could = study + "could be 1.20 times as stiff" + by;
+  const QString too = study + "3.00 times too stiff" + by;
   load("fitting");
   EXPECT_TRUE(wait_until([&] { return said() == could; })) << said().toStdString();
   auto* hints = find<QWidget>("hint_view");

@@ -31,11 +31,12 @@ TEST(RecommendationText, names_values_margin_reason_and_what_it_rests_on) {
                             "900 N/m: a margin of 1.5", "Passive in theory up to 225 N/m",
                             "mass 0.500 to 2.00 times", "Hardly on the friction"})
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
-  const auto gains = recommend(r, GainAxis::object);
-  EXPECT_EQ(margin_text(r, *gains, 450),
-            "the boundary is 900 N/m (edge contact, light hand): could be 2.00 times as stiff");
-  EXPECT_EQ(margin_text(r, *gains, 63'270),
-            "the boundary is 900 N/m (edge contact, light hand): 70.3 times too stiff");
+  const std::string limit =
+      "the study allows 600 N/m, limited by stability (edge contact, light hand): ";
+  EXPECT_EQ(margin_text(r, GainAxis::object, 300, 0).toStdString(),
+            limit + "could be 2.00 times as stiff");
+  EXPECT_EQ(margin_text(r, GainAxis::object, 42'180, 0).toStdString(),
+            limit + "70.3 times too stiff");
 }
 
 TEST(RecommendationText, names_what_friction_carries_and_the_assumption_that_limits) {
@@ -53,18 +54,39 @@ TEST(RecommendationText, names_what_friction_carries_and_the_assumption_that_lim
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
 }
 
-TEST(RecommendationText, the_margin_is_to_the_boundary_that_counts) {
+// What a handle bears without a hand, and what rests, count too, though no sweep looks at either.
+TEST(RecommendationText, at_the_recommended_gains_nothing_stiffer_is_said_to_do) {
   TuningResults r = sonde::test::results();
-  r.lines = {line(1, GainAxis::object, {column(0, 1500, 1500, HoldFault::unstable)})};
-  r.lines[0].columns[0].without_friction = {600, HoldFault::unstable};
-  EXPECT_EQ(
-      margin_text(r, *recommend(r, GainAxis::object), 400),
-      "the boundary without friction is 600 N/m (edge contact, light hand): could be 1.50 times "
-      "as stiff");
-  r.lines[0].columns[0].harder_knocks = {300, HoldFault::unstable};
-  EXPECT_EQ(margin_text(r, *recommend(r, GainAxis::object), 400),
-            "the boundary at harder knocks is 300 N/m (edge contact, light hand): 1.33 times too "
-            "stiff");
+  r.lines = {line(1, GainAxis::object, {column(0, 9000)})};
+  r.lines[0].columns[0].theory_released = 450;
+  EXPECT_EQ(margin_text(r, GainAxis::object, 300, 0),
+            "the study allows 300 N/m, limited by what the handle bears once no hand holds it, in "
+            "theory (edge contact): as stiff as it may be");
+  r.ladder = RestLadder{
+      GainAxis::object, 0, {{300, Swing{"edge", "limp", 0, 4, 2e-3, 31, 700}, 4}, {150, {}, 2}}};
+  EXPECT_TRUE(recommendation_text(r, GainAxis::object).contains("Recommended: k = 150 N/m"));
+  EXPECT_EQ(margin_text(r, GainAxis::object, 300, 0),
+            "the study allows 150 N/m, limited by what comes to rest (edge contact, limp hand): "
+            "2.00 times too stiff");
+}
+
+TEST(RecommendationText, says_as_the_terminal_why_none_is_passive_and_what_would_help) {
+  TuningResults r = sonde::test::results();
+  r.mode = Coupling::Mode::damped;
+  r.lines = {line(1, GainAxis::damped, {column(2, 1500)})};
+  r.lines[0].columns[0].theory_passive = 0;
+  const QString damped = recommendation_text(r, GainAxis::damped);
+  EXPECT_TRUE(
+      damped.contains(" No stiffness is passive at this damping, which is more than the "
+                      "device's own: "))
+      << damped.toStdString();
+  EXPECT_FALSE(damped.contains("gradient"));
+  r.ladder =
+      RestLadder{GainAxis::damped, 2, {{900, Swing{"edge", "limp", 0, 4, 2e-3, 31, 700}, 4}}};
+  const QString none = recommendation_text(r, GainAxis::damped);
+  EXPECT_TRUE(none.contains("\nAt no stiffness tried did it come to rest everywhere: "))
+      << none.toStdString();
+  EXPECT_TRUE(none.contains("\nWhat would help: "));
 }
 
 TEST(RecommendationText, says_where_the_gains_rely_on_friction) {

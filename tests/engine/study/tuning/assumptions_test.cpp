@@ -136,16 +136,15 @@ TEST(Assumptions, a_value_has_the_unit_of_the_profile) {
   EXPECT_EQ(unit_of({.key = "none", .low = {}, .high = {}, .kind = {}, .hand = {}}), "");
 }
 
-TEST(Assumptions, the_boundary_without_friction_counts_unless_friction_is_trusted) {
+TEST(Assumptions, the_limit_without_friction_counts_unless_friction_is_trusted) {
   TuningResults r = varied_results();
   r.lines[1].columns[0].without_friction = {400, HoldFault::unstable};
   const AssumedInterval worst = assumed_intervals(r, GainAxis::object).front();
   EXPECT_EQ(worst.key, "mass");
-  EXPECT_DOUBLE_EQ(boundary_that_counts(r, worst.low.gains), 400);
-  EXPECT_DOUBLE_EQ(boundary_that_counts(r, worst.high.gains), 1800);
+  EXPECT_DOUBLE_EQ(worst.low.gains.stiffness, 400 / stability_margin);
+  EXPECT_DOUBLE_EQ(worst.high.gains.boundary, 1800);
   r.trusts_friction = true;
   EXPECT_EQ(assumed_intervals(r, GainAxis::object).front().key, "friction");
-  EXPECT_DOUBLE_EQ(boundary_that_counts(r, worst.low.gains), 1200);
 }
 
 TEST(Assumptions, none_where_nothing_was_varied) {

@@ -212,5 +212,33 @@ TEST(GainRecommendation, assumed_values_are_compared_at_like_dampings) {
   EXPECT_DOUBLE_EQ(recommend(r, GainAxis::together, "mass", 2)->stiffness, 200);
 }
 
+// What is tried until it rests caps every contact and damping; below that, each goes by its own
+// limits, with the margin of a recommendation.
+TEST(GainRecommendation, no_contact_or_damping_is_allowed_more_than_what_is_recommended) {
+  TuningResults r = stable_up_to({1500, 3000});
+  r.lines[0].columns.push_back(column(5, 600));
+  r.lines[1].columns.push_back(column(5, 300));
+  const auto allows = [&](double damping, const std::string& kind = {}) {
+    const auto limit = allowed_at(r, GainAxis::object, damping, kind);
+    return limit ? limit->stiffness : -1;
+  };
+  EXPECT_DOUBLE_EQ(recommend(r, GainAxis::object)->stiffness, 1000);
+  EXPECT_DOUBLE_EQ(allows(0), 1000);
+  EXPECT_DOUBLE_EQ(allows(0.1, "edge"), 1000) << "by itself it would be 2000";
+  EXPECT_DOUBLE_EQ(allows(4, "flat"), 400);
+  EXPECT_DOUBLE_EQ(allows(9, "edge"), 200);
+  EXPECT_DOUBLE_EQ(allows(4), 200);
+  EXPECT_EQ(allows(0, "jammed"), -1);
+  EXPECT_FALSE(allowed_at(r, GainAxis::rotation, 0));
+  r.lines[0].columns[0].theory_released = 750;
+  EXPECT_DOUBLE_EQ(allows(0, "edge"), 500) << "a handle without a hand";
+  r.ladder = RestLadder{GainAxis::object, 0, {{450, Swing{"flat", "limp", 0, 4}, 3}, {300, {}, 2}}};
+  EXPECT_DOUBLE_EQ(allows(0, "edge"), 300);
+  EXPECT_EQ(allowed_at(r, GainAxis::object, 4, "flat")->reason, "rest");
+  EXPECT_DOUBLE_EQ(allows(4, "edge"), 200);
+  r.ladder->rungs.pop_back();
+  EXPECT_EQ(allows(4), 0) << "nothing rests";
+}
+
 }  // namespace
 }  // namespace sonde
