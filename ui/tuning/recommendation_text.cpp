@@ -29,6 +29,7 @@ QString words_of(const std::string& reason) {
       {"friction", "stability without friction, which may be less than the profile says"},
       {"knocks", "stability at knocks of up to four times the strength"},
       {"driver", "the largest stiffness that the device's driver takes"},
+      {"rendered", "what is rendered on this device at most"},
       {"resolution", "resolution: a step of the encoders would be felt"},
       {"rest", "rest: above it the probe swings on"},
       {"released", "what the handle bears in theory once no hand holds it"},

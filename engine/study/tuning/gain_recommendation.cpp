@@ -7,6 +7,7 @@
 
 #include "engine/base/numbers.hpp"
 #include "engine/settings/settings.hpp"
+#include "engine/study/tuning/profile_limits.hpp"
 
 namespace sonde {
 namespace {
@@ -25,51 +26,6 @@ Lines lines_where(const TuningResults& results,
 const TuningColumn* column_at(const TuningLine& line, double damping) {
   const auto found = std::ranges::find(line.columns, damping, &TuningColumn::damping);
   return found == line.columns.end() ? nullptr : &*found;
-}
-
-/// The largest stiffness for which one step of the encoder changes the force by no more than
-/// friction dissipates (K ≤ 2 f_c/Δ: Abbott and Okamura, 2005), or by a hundredth of the device's
-/// force if it has less friction than that. The damping's own step counts too.
-double resolved_stiffness(double friction, double most, double step, double damping,
-                          double sample_time) {
-  if (step == 0) return infinity;
-  return std::max(0.0, std::max(2 * friction, 0.01 * most) / step - damping / sample_time);
-}
-
-/// Adds the limits that follow from the profile, not from the runs.
-void add_profile_limits(const TuningResults& results, const Lines& lines, const Profile& device,
-                        GainAxis axis, double damping, std::vector<GainLimit>& limits) {
-  const double T = results.sample_time;
-  // With the ratio at which the felt stiffness was measured, whatever value is varied here.
-  const double per = results.device.at("inertia") / results.device.at("mass");
-  const bool joint = is_joint(axis);
-  Coupling at;
-  at.b_t = at.b_r = 0;
-  set_gains(at, axis, 0, damping, results.joint);
-  const bool damped = axis == GainAxis::damped;  // its damper is felt as its spring is
-  for (const TuningLine* line : lines) {
-    TuningResults::Felt felt = results.felt[line->situation];
-    if (!in_object_norm(axis)) felt.rotation *= (joint ? results.joint.stiffness : 1) / per;
-    const auto add = [&](const char* reason, double allowed, double felt_at_one) {
-      if (felt_at_one > 0) limits.push_back({reason, allowed / felt_at_one, line->kind, ""});
-    };
-    if (axis != GainAxis::rotation) {
-      add("driver", device.at("max_stiffness"), felt.translation);
-      add("resolution",
-          resolved_stiffness(device.at("friction"), device.at("max_force"), device.at("resolution"),
-                             damped ? at.b_t * felt.translation : at.b_t, T),
-          felt.translation);
-    }
-    if (axis != GainAxis::translation && device.at("max_torque") > 0) {
-      if (device.at("max_rotational_stiffness") > 0)
-        add("driver", device.at("max_rotational_stiffness"), felt.rotation);
-      add("resolution",
-          resolved_stiffness(device.at("rotational_friction"), device.at("max_torque"),
-                             device.at("rotational_resolution"),
-                             damped ? at.b_t * felt.rotation : at.b_r, T),
-          felt.rotation);
-    }
-  }
 }
 
 void add_measured_limits(const TuningLine& line, const TuningColumn& column,

@@ -15,7 +15,8 @@ struct GainLimit {
   /// "rest" (above it the probe keeps oscillating somewhere: RestLadder), "released" (theory, for a
   /// handle without a hand), "stability", "saturation", "chatter", "fidelity" (measured),
   /// "friction" (stability without friction), "knocks" (stability at harder_knocks), "driver" (the
-  /// profile's largest stiffness), "resolution" (a step of the encoder), "range" (no limit within
+  /// profile's largest stiffness, as felt in the contact), "rendered" (what the loop makes of
+  /// stiffer gains, in any contact), "resolution" (a step of the encoder), "range" (no limit within
   /// the range studied).
   std::string reason;
   double stiffness = 0;

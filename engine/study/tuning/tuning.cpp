@@ -259,6 +259,7 @@ Json about(const TuningPlan& plan) {
           {"rotational_damping_per_translational", plan.joint.damping},
           {"axis_in_full", name_of(plan.axis)},
           {"damping_share_in_full", plan.damping_share},
+          {"largest_inertia", r.pair.probe().mass.inertia.maxCoeff()},
           {"damper_in_theory", plan.damper ? Json{{"stiffness", plan.damper->stiffness},
                                                   {"damping", plan.damper->damping}}
                                            : Json(nullptr)},

@@ -67,6 +67,7 @@ struct TuningResults {
     double translation = 0, rotation = 0;
   };
   std::vector<Felt> felt;
+  double largest_inertia = 0;            ///< of the probe, Î, m²; 0: unknown
   bool always_held = false;              ///< as TuningRequest
   std::optional<DamperInTheory> damper;  ///< if the mode is the object norm; none: unknown
   std::optional<RestLadder> ladder;      ///< none: it was not climbed, or not yet

@@ -27,6 +27,7 @@ std::string words_of(const std::string& reason) {
       {"friction", "stability without friction"},
       {"knocks", "stability at harder knocks"},
       {"driver", "the driver's largest stiffness"},
+      {"rendered", "what is rendered on this device at most"},
       {"resolution", "the encoder's steps"},
       {"rest", "what comes to rest"},
       {"released", "what the handle bears once no hand holds it, in theory"},

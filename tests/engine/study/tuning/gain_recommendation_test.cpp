@@ -240,5 +240,30 @@ TEST(GainRecommendation, no_contact_or_damping_is_allowed_more_than_what_is_reco
   EXPECT_EQ(allows(4), 0) << "nothing rests";
 }
 
+// Reference: the loop's own rule, worked out: at most the driver's largest stiffness, and in the
+// object norm its largest rotational one over 1.2 Î, whatever a contact feels.
+TEST(GainRecommendation, nothing_is_recommended_that_the_loop_renders_as_less) {
+  TuningResults r = stable_up_to({1500});
+  r.felt = {{0.1, 1e-6}};
+  EXPECT_DOUBLE_EQ(recommend(r, GainAxis::object)->stiffness, 1000);
+  r.largest_inertia = 0.2;
+  const auto by_turn = recommend(r, GainAxis::object);
+  EXPECT_DOUBLE_EQ(by_turn->stiffness, 100 / (1.2 * 0.2));
+  EXPECT_EQ(by_turn->limit.reason, "rendered");
+  r.largest_inertia = 0;  // unknown, of studies before it was told
+  r.device["max_stiffness"] = 300;
+  EXPECT_DOUBLE_EQ(recommend(r, GainAxis::object)->stiffness, 300);
+  r.mode = Coupling::Mode::classic;
+  r.joint = {2, 0};
+  r.lines = {line(0, GainAxis::together, {column(0, 1500)}),
+             line(0, GainAxis::translation, {column(0, 1500)}),
+             line(0, GainAxis::rotation, {column(0, 1500)})};
+  EXPECT_DOUBLE_EQ(recommend(r, GainAxis::together)->stiffness, 50) << "k_r of twice that";
+  EXPECT_DOUBLE_EQ(recommend(r, GainAxis::translation)->stiffness, 300);
+  EXPECT_DOUBLE_EQ(recommend(r, GainAxis::rotation)->stiffness, 100);
+  r.device["max_stiffness"] = r.device["max_rotational_stiffness"] = 0;  // unknown
+  EXPECT_DOUBLE_EQ(recommend(r, GainAxis::rotation)->stiffness, 1000);
+}
+
 }  // namespace
 }  // namespace sonde

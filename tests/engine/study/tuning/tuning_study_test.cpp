@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "engine/haptics/safety/borne_gains.hpp"
 #include "engine/study/tuning/assumptions.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
 #include "engine/study/tuning/tuning_words.hpp"
@@ -73,6 +74,22 @@ TEST(TuningStudy, what_a_damper_may_allow_is_said_and_held_by_its_own_study) {
   EXPECT_EQ(gains.mode, Coupling::Mode::damped);
   EXPECT_GT(gains.b_t, 0);
   EXPECT_NEAR(gains.k / damped->held_stiffness, 1, 0.5);
+}
+
+// Reference: the cap of the loop itself, on the gains that would be written.
+TEST(TuningStudy, what_is_recommended_is_rendered_as_it_is) {
+  TuningRequest request = boxes_held_by("sigma.7");
+  request.ratio = 1.5;
+  request.device.max_rotational_stiffness.value /= 10;
+  const BorneGains most{request.device.max_stiffness.value,
+                        request.device.max_rotational_stiffness.value};
+  const auto plan = plan_of(request);
+  const TuningResults results = read_tuning("", compute_at_once(plan_tuning(plan), 2, never));
+  const Coupling gains = recommended_coupling(results);
+  EXPECT_GT(gains.k, 0);
+  EXPECT_FALSE(is_reduced(borne(gains, most, request.pair.probe().mass), gains)) << gains.k;
+  EXPECT_EQ(recommend(results, GainAxis::object)->limit.reason, "rendered");
+  EXPECT_LE(results.ladder->rungs.front().stiffness, 1.000001 * gains.k) << "nor tried";
 }
 
 // References: the recommendation of a study whose every run holds; the "driver" among its limits.
