@@ -99,7 +99,11 @@ void run(const InsertOptions& options) {
   request.way = options.axis.empty() ? way_through(pair, path)
                                      : way_along(pair, start, vector_of(options.axis),
                                                  *options.travel, per_degree * options.twist);
-  check_start(pair, request.way);  // a way that begins in an overlap is refused before any part
+  {
+    ProgressLine line(options.study.quiet);
+    // What cannot be computed is refused before anything is written.
+    check_way(pair, request.way, line.percent("looking at the way"));
+  }
   request.wanted = options.wanted.value_or(request.way.travel.back());
   if (request.wanted > request.way.travel.back() * (1 + 1e-9))
     throw UsageError("--wanted is more than the way's travel: no place of it would count as in");

@@ -68,7 +68,8 @@ class Curves {
   double at(Curve curve, double time) const;
   /// Divides the time from `from` to `to` into equal parts and returns the lowest and the highest
   /// point of each, in their order, with one point beyond each end: everything that a picture with
-  /// that many columns can show. A break is a point without a value (NaN).
+  /// that many columns can show. A break is a point without a value (NaN): where the ticks are far
+  /// apart, or where values are missing for longer than a column.
   std::vector<CurvePoint> outline(Curve curve, double from, double to, std::size_t columns) const;
   std::size_t bytes() const;  ///< of memory
 

@@ -223,6 +223,10 @@ TEST_F(Assembly, insert_goes_along_a_path_too_and_refuses_what_is_no_way) {
   expect_refused("insert s.sonde.json --axis 0,0,1 --out x", 2, "--travel");
   expect_refused("insert s.sonde.json --out x", 2, "give either");
   expect_refused("insert in.sonde.json --axis 0,0,1 --travel 1 --out x", 3, "begins where");
+  for (const char* far : {"1e12", "1e18", "1e151"})
+    expect_refused(std::string("insert s.sonde.json --axis 0,0,-1 --out x --travel ") + far, 3,
+                   "too far from the origin");
+  EXPECT_FALSE(std::filesystem::exists(folder / "x"));
   const std::string map =
       "insert s.sonde.json --axis 0,0,1 --travel 1 --out x --offsets 3 --offset-range 0.1 ";
   expect_refused(map + "--lateral 0,0,2", 2, "--lateral must not");

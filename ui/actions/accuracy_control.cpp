@@ -150,6 +150,8 @@ void AccuracyControl::be_sure(double share) {
   panel_->show_claim({}, share);
 }
 
+bool AccuracyControl::is_on_show() const { return panel_->isVisible(); }
+
 void AccuracyControl::show_search() {
   const auto searched = session_ ? session_->searched() : std::nullopt;
   panel_->show_search(searched ? searched->phases : PhaseTimes(), searched ? searched->time_us : 0);

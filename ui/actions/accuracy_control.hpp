@@ -23,6 +23,7 @@ class AccuracyControl : public QObject {
   AccuracyControl(DocumentControl& documents, QMainWindow& window, QDockWidget& beside);
 
   AccuracyPanel& panel() { return *panel_; }
+  bool is_on_show() const;
   /// Another session was opened; null for none.
   void attach(Session* session);
   /// The document may say something else now.

@@ -163,8 +163,10 @@ void DocumentControl::opened(const Session& session) {
   auto bodies = std::make_shared<const Bodies>(
       Bodies{opened.pair, opened.trajectory, opened.marks, opened.parts});
   on_show_ = bodies;
-  index_on_show_ = 0;
   document_.open({opened.scene, opened.here.value_or(opened.start), std::move(bodies)});
+  // Only now: while the steps of the document before go, they count as others than those on show.
+  index_on_show_ = 0;
+  setup_failed_ = false;
   recovery_.clear();
   kept_ = document_.text() + pose_text(document_.content().here);
   showing_ = reading_scene_ = false;

@@ -13,7 +13,7 @@ namespace sonde::ui {
 double fitted_reach(const GapField& probe, const GapField& fixed, double range, double touch);
 
 /// That of two bodies at a pose: looks as far as suits the probe, and further where nothing is so
-/// near, up to the probe's radius.
+/// near: at first up to the probe's radius, then up to some times the least gap found there.
 double fitted_reach(const Body& probe, const Body& fixed, const Pose& X_FM, const Stop& stop = {});
 
 /// How far is near, for a probe of this size, m.

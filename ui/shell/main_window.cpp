@@ -319,25 +319,27 @@ void MainWindow::draw_if_changed() {
 /// Whether anything shows or keeps what the searches beside the ticks find.
 bool MainWindow::wants_search() const {
   const std::array layers{Layer::nearest, Layer::straight, Layer::bound};
-  return readout_->isVisible() || history_->plots().isVisible() ||
+  return readout_->isVisible() || history_->plots().isVisible() || accuracy_->is_on_show() ||
          history_->recorder().recording() ||
          std::ranges::any_of(layers, [&](Layer each) { return viewport_->shown(each); });
 }
 
 /// From here on, nothing is known of the nearest way out: what was found last is of another pose.
 void MainWindow::end_search() {
-  if (!search_.newest()) return;
-  BackgroundResult nothing;
-  nothing.device = search_.newest()->device;
-  history_->add(nothing);
-  search_.forget();
+  if (search_.newest()) {
+    BackgroundResult nothing;
+    nothing.device = search_.newest()->device;
+    history_->add(nothing);
+  }
+  if (const auto result = session()->searched()) search_.pass_over(*result);
 }
 
 /// PD_t and the lower bound, in their own thread, and only while they are shown or recorded.
 void MainWindow::ask_search() {
   if (session()->paused()) return;
   if (!wants_search()) return end_search();
-  if (const auto result = session()->searched()) {
+  const Pose& device = shown_->separation.device;
+  if (const auto result = session()->searched(); result && search_.takes(*result, device)) {
     const bool drawn = viewport_->shown(Layer::nearest) || viewport_->shown(Layer::straight) ||
                        viewport_->shown(Layer::bound);
     const auto& before = search_.newest();
@@ -345,7 +347,6 @@ void MainWindow::ask_search() {
     search_.answered(*result);
     history_->add(with_followed(*result, shown_->separation));
   }
-  const Pose& device = shown_->separation.device;
   if (search_.asks(device, clock_.elapsed())) session()->ask_search(device);
 }
 

@@ -17,7 +17,19 @@ class SearchSchedule {
  public:
   /// Forgets everything about the shown pose.
   void forget() { newest_.reset(); }
+  /// The result was found while nobody wanted it, or before.
+  void pass_over(const BackgroundResult& result) {
+    passed_over_ = result.device;
+    newest_.reset();
+  }
+  /// Whether a result counts while the probe is there: not one that was passed over, unless the
+  /// probe is where that was found.
+  bool takes(const BackgroundResult& result, const Pose& device) const {
+    return !passed_over_ || !same_pose(result.device, *passed_over_) ||
+           same_pose(device, *passed_over_);
+  }
   void answered(const BackgroundResult& result) {
+    passed_over_.reset();
     newest_ = result;
     due_ = asked_ + std::max(pause, static_cast<qint64>(1e-2 * result.time_us));
   }
@@ -42,6 +54,7 @@ class SearchSchedule {
   std::optional<BackgroundResult> newest_;
   qint64 due_ = 0, asked_ = 0, rests_since_ = 0;
   Pose seen_at_, asked_about_;
+  std::optional<Pose> passed_over_;
 };
 
 }  // namespace sonde::ui

@@ -142,9 +142,10 @@ void HintView::set_legend_visible(bool visible) {
 }
 
 void HintView::fade() {
-  const bool any = is_hint_on() || is_legend_on();
+  hint_fades_ = is_hint_on();
+  legend_fades_ = is_legend_on();
   hint_visible_ = legend_visible_ = false;
-  if (any) fading_.start();
+  if (hint_fades_ || legend_fades_) fading_.start();
 }
 
 void HintView::set_triad(const std::array<Vec3, 3>& axes) {
@@ -180,8 +181,9 @@ void HintView::paintEvent(QPaintEvent* event) {
   draw_labels(painter);
   const bool fading = fading_.state() == QAbstractAnimation::Running;
   if (fading) painter.setOpacity(fading_.currentValue().toDouble());
-  if ((is_legend_on() || fading) && touched(legend_plate())) draw_legend(painter);
-  if (is_hint_on() || fading)
+  if ((is_legend_on() || (fading && legend_fades_)) && touched(legend_plate()))
+    draw_legend(painter);
+  if (is_hint_on() || (fading && hint_fades_))
     if (const Hint hint = laid_out_hint(); touched(hint.plate)) draw_hint(painter, hint);
   painter.setOpacity(1);
   draw_triad(painter);

@@ -59,9 +59,10 @@ class HintView : public QWidget {
   const QString& banner() const { return banner_; }
   void set_hint_visible(bool visible);
   void set_legend_visible(bool visible);
-  /// Hint and legend are on show even where they leave the bodies less than half of the view, since
+  /// Hint and legend are on show even where they leave the bodies less than 45 % of the view, since
   /// they were asked for. At first they give way there: the hint first.
   void set_insists(bool insists) { insists_ = insists; }
+  bool insists() const { return insists_; }
   /// Hint and legend go in half a second. What is laid out has their room at once.
   void fade();
   /// The axes of the fixed body as they are seen, unit: right, up and to the eye.
@@ -115,6 +116,7 @@ class HintView : public QWidget {
   QString banner_;
   ColourScale scale_;
   bool hint_visible_ = true, legend_visible_ = true, insists_ = false;
+  bool hint_fades_ = false, legend_fades_ = false;
   std::array<Vec3, 3> triad_{};
   QVariantAnimation fading_;  ///< of both, while they are seen and do not count any more
 };

@@ -58,6 +58,8 @@ QImage Viewport::picture(const Instant& now, const PictureOptions& options) {
   s.window->SetSize(options.size.width(), options.size.height());
   s.hints->setUpdatesEnabled(false);
   s.hints->set_hint_visible(false);  // how the mouse moves the probe belongs to the window
+  const bool insists = s.hints->insists();
+  s.hints->set_insists(true);
   s.hints->set_legend_visible(true);
   s.hints->resize(*s.picture_size);
   draw(now, options.swing);
@@ -71,6 +73,7 @@ QImage Viewport::picture(const Instant& now, const PictureOptions& options) {
   s.shown = shown;
   s.picture_size.reset();
   s.hints->setGeometry(rect());
+  s.hints->set_insists(insists);
   s.hints->set_hint_visible(this->shown(Layer::hint));
   s.hints->set_legend_visible(this->shown(Layer::hint));
   s.hints->setUpdatesEnabled(true);

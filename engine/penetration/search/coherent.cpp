@@ -247,6 +247,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   if (s.stays_free(device)) return s.last;
   s.times = {};
   const double moved = s.device_motion(device);
+  const bool was_free = s.was_free();
   if (s.lifted && moved > 0) s.separated = *std::exchange(s.lifted, std::nullopt);
   Effort effort = s.effort_of(budget, moved);
   Chart chart(s.probe.mass, device);
@@ -260,7 +261,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
     DescentGoal goal;
     if (budget.steps > 0) goal.steps = budget.steps;
     goal.held_slope = bend_of_metric * (moved + s.lag);
-    goal.straight_first = s.was_free();
+    goal.straight_first = was_free;
     goal.far = jump_of_device * s.probe.mass.radius;
     goal.work_when_far = work_after_jump;
     const bool was_limited = effort.is_limited();

@@ -34,6 +34,13 @@ Pose checked_place(const Pose& X) {
   return {X.q.normalized(), X.p};
 }
 
+/// Whether rounding is too large for the probe's size, that far from the origin.
+bool is_rough(const Pair& pair, const Vec3& farthest) {
+  const Body& probe = pair.probe();
+  return !(rounding_guard(extent(probe), extent(pair.fixed()), farthest) <=
+           largest_rounding * probe.mass.radius);
+}
+
 /// One piece of a path, from one of its poses to the next. Places on it are parts of it, 0 to 1.
 class PieceSearch {
  public:
@@ -125,10 +132,7 @@ class PieceSearch {
 
   /// Far out, the path is so rough that any obstacle may be rounding.
   void refuse_rounding() const {
-    const Body& probe = pair_.probe();
-    const Vec3 farthest = from_.p.cwiseAbs().cwiseMax(to_.p.cwiseAbs());
-    if (rounding_guard(extent(probe), extent(pair_.fixed()), farthest) >
-        largest_rounding * probe.mass.radius)
+    if (is_rough(pair_, from_.p.cwiseAbs().cwiseMax(to_.p.cwiseAbs())))
       throw InputError("the way leads too far from the origin for the size of the probe");
   }
 
@@ -165,6 +169,12 @@ double travel_to_touch(const Pair& pair, const InsertionPath& way, double from) 
 void check_start(const Pair& pair, const InsertionPath& way) {
   if (touch(pair, way.poses.front()))
     throw InputError::in("the way", "begins where the bodies touch or overlap: begin it outside");
+}
+
+void check_way(const Pair& pair, const InsertionPath& way, const Progress& progress) {
+  check_start(pair, way);
+  const auto leads_far = [&](const Pose& X) { return is_rough(pair, X.p.cwiseAbs()); };
+  if (std::ranges::any_of(way.poses, leads_far)) first_contact(pair, way, progress);
 }
 
 std::optional<FirstContact> first_contact(const Pair& pair, const InsertionPath& way,

@@ -26,6 +26,10 @@ struct FirstContact {
 /// Throws InputError if the bodies touch or overlap at the start of a path.
 void check_start(const Pair& pair, const InsertionPath& way);
 
+/// Throws as first_contact does, but finds nothing: a sweep is made only where the path leads so
+/// far out that it may be refused there.
+void check_way(const Pair& pair, const InsertionPath& way, const Progress& progress = {});
+
 /// Uses sweeps, which skip nothing. A sweep stops at a small gap, which may be long along the path
 /// where it closes slowly; so more sweeps go on from there, each through half of the gap that is
 /// left, until a pose that touches, by the exact test, is near enough. None if the whole path is

@@ -88,8 +88,9 @@ std::optional<AxisGains> recommend(const TuningResults& results, GainAxis axis,
 std::vector<AxisGains> recommend_at_each_damping(const TuningResults& results, GainAxis axis,
                                                  const std::string& kind = {});
 /// What may be rendered at the swept damping nearest to `damping`, with the limit that decides:
-/// with `kind`, in its contacts. Never stiffer than what is recommended, which alone was tried
-/// until it rests. No value if the study has no such line.
+/// with `kind`, in its contacts. Never stiffer than what is recommended for that axis. (Of the
+/// axes, the recommended one alone was tried until it rests.) No value if the study has no such
+/// line.
 std::optional<GainLimit> allowed_at(const TuningResults& results, GainAxis axis, double damping,
                                     const std::string& kind = {});
 /// The best of the other dampings, with both dampers or one: the one that allows the largest

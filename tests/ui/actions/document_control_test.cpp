@@ -122,6 +122,22 @@ TEST_F(DocumentControlTest, new_leads_to_the_start_page_and_that_to_a_scene) {
   EXPECT_TRUE(window->windowTitle().startsWith("linked-tori"));
 }
 
+/// Another document was opened over one with steps, and then what was to be opened is not there.
+TEST_F(DocumentControlTest, what_cannot_be_opened_leaves_the_session_as_it_is) {
+  window->prompts().ask_leaving = [](const QString&) { return Leaving::discard; };
+  window->documents().place({Quat::Identity(), Vec3(0.3, 0.1, 0.2)}, "there");
+  open({QString::fromStdString(scene.string())});
+  Session* const session = window->session();
+  QStringList said;
+  QObject::connect(&window->documents(), &DocumentControl::say,
+                   [&](const QString& what) { said << what; });
+  window->documents().open({path("missing.off"), path("cube.off")}, 1.0);
+  ASSERT_TRUE(wait_until([this] { return !complaints.empty(); }));
+  wait(300);
+  EXPECT_EQ(window->session(), session);
+  EXPECT_TRUE(said.isEmpty()) << said.join('\n').toStdString();
+}
+
 class DropOnDocument : public DocumentTest {
  protected:
   void drop(const QStringList& files) { drop_files(*window, files); }

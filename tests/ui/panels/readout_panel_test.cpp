@@ -199,15 +199,18 @@ TEST_F(ReadoutInWindow, every_number_is_there_with_its_unit) {
 TEST_F(ReadoutInWindow, slow_numbers_are_computed_only_while_shown) {
   ASSERT_TRUE(wait_until([this] { return window->searched().has_value(); }));
   find<QDockWidget>("readout_panel")->hide();
-  wait(300);
-  const Pose last = window->searched()->device;
+  EXPECT_TRUE(wait_until([this] { return !window->searched(); }))
+      << "nothing is known from then on";
+  wait(300);  // one may have been on its way
+  const Pose last = window->session()->searched()->device;
   Pose moved = window->session()->device_pose();
   moved.p.y() += 0.001;
   window->set_device_pose(moved);
   wait(300);
-  EXPECT_EQ(window->searched()->device.p, last.p);
+  EXPECT_EQ(window->session()->searched()->device.p, last.p);
   find<QDockWidget>("readout_panel")->show();
-  EXPECT_TRUE(wait_until([&] { return window->searched()->device.p == moved.p; }));
+  ASSERT_TRUE(wait_until([this] { return window->searched().has_value(); }));
+  EXPECT_EQ(window->searched()->device.p, moved.p) << "not what was found before";
 }
 
 }  // namespace

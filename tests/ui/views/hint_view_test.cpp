@@ -49,6 +49,16 @@ TEST_F(HintViewTest, areas_are_clear_of_legend_banner_and_hint_and_grow_when_the
   EXPECT_EQ(hints->clear_areas(), before);
 }
 
+/// As the window's first drag lets them go: what was not on show does not come for that.
+TEST_F(HintViewTest, what_gave_way_is_not_seen_while_the_rest_fades) {
+  hints->resize(480, 355);
+  hints->set_legend(std::vector<LegendLine>(7, {Qt::red, "a fixed body of several parts, solid"}));
+  const QRect below(0, 240, 480, 115);
+  const QImage before = sheet().copy(below);
+  hints->fade();
+  EXPECT_EQ(sheet().copy(below), before);
+}
+
 /// In a small view they give way to the bodies, the hint first, unless they were asked for.
 TEST_F(HintViewTest, hint_and_legend_leave_the_bodies_about_half_of_the_view) {
   std::vector<LegendLine> legend;
