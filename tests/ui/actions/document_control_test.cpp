@@ -117,7 +117,8 @@ TEST_F(DocumentControlTest, new_leads_to_the_start_page_and_that_to_a_scene) {
   ASSERT_TRUE(tile);
   EXPECT_FALSE(tile->icon().isNull());
   QTest::mouseClick(tile, Qt::LeftButton);
-  ASSERT_TRUE(wait_until([this] { return opened == 2; }));
+  ASSERT_TRUE(wait_until([this] { return opened == 2; }))
+      << failed << " failed, " << (complaints.empty() ? "" : complaints[0].toStdString());
   EXPECT_FALSE(page->isVisible());
   EXPECT_TRUE(window->windowTitle().startsWith("linked-tori"));
 }
