@@ -42,10 +42,10 @@ class Touch {
     return !contacts_.empty();
   }
 
-  /// Whether the contacts leave room for a sweep to begin.
+  /// Whether the contacts leave as much room as a descent does.
   bool has_room() const {
     return std::ranges::all_of(contacts_, [this](const Contact& c) {
-      return c.gap >= touching_tuning.room_for_sweep * rounding_;
+      return c.gap >= touching_tuning.gaps[1] * rounding_;
     });
   }
 

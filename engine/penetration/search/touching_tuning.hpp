@@ -16,10 +16,8 @@ struct TouchingTuning {
   double level_in_roundings = 64;
   /// In the same rounding errors: gaps that are tried in turn. The first is well above what
   /// coordinates lose when the pose is rounded; the second, if that is not free, is what a descent
-  /// keeps at least.
+  /// keeps at least, and from which a follower starts.
   double gaps[2] = {1, 16};
-  /// In the same: a sweep can begin from a gap this large. It needs more than 1.
-  double room_for_sweep = 4;
   /// In levels: pairs within this distance may become obstacles. The answer to a touch moves no
   /// point of the probe further, except a point far beyond the others (a needle).
   double reach = 4;
