@@ -38,20 +38,11 @@ class Axes {
     out_.items[out_.size++] = {on_probe, on_probe - gap * n, n, gap, 0};
   }
 
-  /// The two edges move apart at the rate of the nearest points of their lines, if both triangles
-  /// end in them. If neither does, the plane through B's highest corner stays as it is.
   void add_edges(const Vec3& axis, std::size_t i, std::size_t j) {
-    const Vec3 u = edge_of(a_, i), v = edge_of(b_, j);
     for (const double side : {1, -1}) {
       const Vec3 n = side * axis.normalized();
-      const double gap = gap_along(n, a_, b_), same = as_low * std::abs(gap);
-      const Vec3 low = lowest_corner(a_, n), high = lowest_corner(b_, -n);
-      const bool ends_a = n.dot(a_[i] - low) <= same, ends_b = n.dot(high - b_[j]) <= same;
-      if (!ends_a) add(n, low);
-      if (!ends_a || !ends_b) continue;
-      // (a + s u − b) is along n + v: the part of it across both is 0.
-      const double s = (b_[j] - a_[i]).cross(v).dot(axis) / axis.squaredNorm();
-      add(n, a_[i] + s * u);
+      if (const auto on_probe = point_between_edges(a_, i, b_, j, axis, n, gap_along(n, a_, b_)))
+        add(n, *on_probe);
     }
   }
 
@@ -63,6 +54,18 @@ class Axes {
 };
 
 }  // namespace
+
+std::optional<Vec3> point_between_edges(const Corners& a, std::size_t i, const Corners& b,
+                                        std::size_t j, const Vec3& axis, const Vec3& n,
+                                        double gap) noexcept {
+  const double same = as_low * std::abs(gap);
+  const Vec3 &low = lowest_corner(a, n), &high = lowest_corner(b, -n);
+  if (n.dot(a[i] - low) > same) return low;
+  if (n.dot(high - b[j]) > same) return std::nullopt;
+  // (a + s u − b) is along n + v: the part of it across both is 0.
+  const double s = (b[j] - a[i]).cross(edge_of(b, j)).dot(axis) / axis.squaredNorm();
+  return a[i] + s * edge_of(a, i);
+}
 
 OtherAxes other_axes(const Corners& a, const Corners& b, const Vec3& normal,
                      double least) noexcept {

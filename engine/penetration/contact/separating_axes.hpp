@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "engine/penetration/contact/contact_tuning.hpp"
 #include "engine/penetration/contact/separation.hpp"
@@ -24,20 +25,19 @@ bool any_edges(const Corners& a, const Corners& b, const Visit& visit) {
   return false;
 }
 
-/// Calls look(axis) for the axes of the separating-axis theorem of two triangles: their normals and
-/// the cross products of their edges, neither unit nor oriented, none zero.
-template <class Look>
-void each_separating_axis(const Corners& a, const Corners& b, const Look& look) {
-  for (const Corners* t : {&a, &b})
-    if (const Vec3 face = area_normal(*t); face.squaredNorm() > 0) look(face);
-  any_edges(a, b, [&](const Vec3& axis, std::size_t, std::size_t) { return look(axis), false; });
-}
-
 /// The corner with the least n·x.
 inline const Vec3& lowest_corner(const Corners& t, const Vec3& n) {
   return *std::min_element(t.begin(), t.end(),
                            [&](const Vec3& x, const Vec3& y) { return n.dot(x) < n.dot(y); });
 }
+
+/// The point of A whose motion changes the gap along n, unit, which is across edges i of A and j of
+/// B (`axis`: their cross product). If both triangles end in these edges, it is the nearest point
+/// of A's line to B's. If neither does, the plane through B's highest corner stays as it is, and it
+/// is A's lowest corner. None if only A's edge bounds its triangle.
+std::optional<Vec3> point_between_edges(const Corners& a, std::size_t i, const Corners& b,
+                                        std::size_t j, const Vec3& axis, const Vec3& n,
+                                        double gap) noexcept;
 
 /// Contacts of A and B along their separating axes; at most both sides of eleven.
 struct OtherAxes {

@@ -30,12 +30,14 @@ WayOut way_apart(const Corners& a, const Corners& b) {
   return {p.normal, p.a, p.gap};
 }
 
-/// The separating direction that needs the least displacement.
+/// The separating direction that needs the least displacement. The point is the one whose motion
+/// changes the gap, which a turn needs: if the face of A is the separating plane, the foot of B's
+/// corner and not one of A's, which may be as far away as the triangle is long.
 WayOut way_out(const Corners& a, const Corners& b, bool solid_a, bool solid_b) {
   const auto face = [](const Corners& t) { return Vec3(area_normal(t).normalized()); };
   const Vec3 face_a = face(a), face_b = face(b);
   WayOut best;
-  const auto look = [&](const Vec3& axis) {
+  const auto look = [&](const Vec3& axis, const auto& point) {
     const double length = axis.norm();
     for (const double side : {1 / length, -1 / length}) {
       const Vec3 n = side * axis;
@@ -43,11 +45,20 @@ WayOut way_out(const Corners& a, const Corners& b, bool solid_a, bool solid_b) {
           (solid_a && n.dot(face_a) > push_apart_tuning.aside))
         continue;
       const double gap = gap_along(n, a, b);
-      if (gap > best.gap) best = {n, Vec3::Zero(), gap};
+      if (!(gap > best.gap)) continue;
+      if (const std::optional<Vec3> on_probe = point(n, gap)) best = {n, *on_probe, gap};
     }
   };
-  each_separating_axis(a, b, look);
-  if (std::isfinite(best.gap)) best.on_probe = lowest_corner(a, best.normal);
+  using Point = std::optional<Vec3>;
+  if (const Vec3 axis = area_normal(a); axis.squaredNorm() > 0)
+    look(axis, [&](const Vec3& n, double gap) -> Point { return lowest_corner(b, -n) + gap * n; });
+  if (const Vec3 axis = area_normal(b); axis.squaredNorm() > 0)
+    look(axis, [&](const Vec3& n, double) -> Point { return lowest_corner(a, n); });
+  any_edges(a, b, [&](const Vec3& axis, std::size_t i, std::size_t j) {
+    look(axis,
+         [&](const Vec3& n, double gap) { return point_between_edges(a, i, b, j, axis, n, gap); });
+    return false;
+  });
   return best;
 }
 

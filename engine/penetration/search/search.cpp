@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/penetration/search/search.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "engine/penetration/descent/result.hpp"
 #include "engine/penetration/search/translated_both_ways.hpp"
+#include "engine/penetration/search/turned_images.hpp"
 
 namespace sonde {
 namespace {
@@ -46,10 +48,13 @@ Separation Search::run() {
   if (!rotates() && !evidence_.is_conclusive()) starts_outside(per_round);
   if (rotates() && (optima_.empty() || budget_.counts_steps())) translation_on_the_way();
   if (optima_.empty()) return failed(chart_.device(), "no free pose was found");
-  if (evidence_.may_be_deep())
+  if (evidence_.may_be_deep()) {
     pushed_rounds();
-  else
+  } else {
+    fitted_starts();
     random_rounds();
+  }
+  turned_ends();
   if (rotates() && !std::isfinite(translated_.depth) && !is_over()) translation_on_the_way();
   return finish();
 }
@@ -159,6 +164,41 @@ void Search::pushed_starts() {
         return starts_.push_apart_within(radius, random, aim(options_.method), lane);
       },
       rotates() ? per_round : per_round / 2);
+}
+
+void Search::fitted_starts() {
+  if (!rotates() || !has_sketches() || is_over()) return;
+  std::array<std::optional<Fit>, std::size_t{2} * per_round> found;
+  threads_.each(found.size(), [&](std::size_t k, std::size_t lane) {
+    Random random = stream(2600 + k);
+    found[k] = starts_.fitted(random, tuned_.farthest_overlap * optima_.best(), lane);
+  });
+  std::vector<Fit> fits;
+  for (const auto& fit : found)
+    if (fit) fits.push_back(*fit);
+  std::stable_sort(fits.begin(), fits.end(),
+                   [](const Fit& a, const Fit& b) { return a.overlap < b.overlap; });
+  round(
+      [&](std::size_t k, std::size_t lane) {
+        return starts_.push_apart_and_descend(fits[k].y, aim(options_.method), lane);
+      },
+      std::min(per_round / 2, fits.size()));
+}
+
+void Search::turned_ends() {
+  if (!rotates()) return;
+  for (const Vec6& end : optima_.nearest(tuned_.first_ends))
+    for (const Vec6& y :
+         turned_images(chart_, fixed_.mass, end, (1 - tuned_.same / 2) * optima_.best())) {
+      if (is_over()) return;
+      if (!starts_.lane(0).leaps(Method::pdg).is_free(chart_, y)) continue;
+      round(
+          [&](std::size_t, std::size_t lane) {
+            return starts_.push_apart_and_descend(y, aim(Method::pdg), lane);
+          },
+          1);
+      break;
+    }
 }
 
 void Search::from_ends(SketchSearch& sketches, Method method, std::size_t most) {
@@ -294,8 +334,8 @@ void Search::pushed_rounds() {
       const double radius =
           random.uniform(tuned_.same_place, tuned_.farthest_overlap) * optima_.best();
       if (k % 2 == 0)
-        if (const auto y = starts_.fitted(random, tuned_.farthest_overlap * optima_.best(), lane))
-          return starts_.push_apart_and_descend(*y, aim(options_.method), lane);
+        if (const auto fit = starts_.fitted(random, tuned_.farthest_overlap * optima_.best(), lane))
+          return starts_.push_apart_and_descend(fit->y, aim(options_.method), lane);
       return starts_.push_apart_within(radius, random, aim(options_.method), lane);
     });
     if (optima_.best() < (1 - tuned_.same) * before)

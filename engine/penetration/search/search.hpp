@@ -105,6 +105,15 @@ class Search {
   /// too narrow for sketches and random poses.
   void pushed_starts();
 
+  /// Starts from the poses, of some random ones, in which the bodies would best fit into each
+  /// other. A fit with little room is missed by all other starts, and then those agree on a longer
+  /// way out, whatever their number.
+  void fitted_starts();
+
+  /// Starts from free images of the nearest ends under the symmetries of bits, plugs and gears: of
+  /// many seats that are alike, random starts find some, and not the nearest one.
+  void turned_ends();
+
   /// Starts from up to `most` untried ends on the sketches, two at a time, as long as they may be
   /// better than the best result.
   void from_ends(SketchSearch& sketches, Method method, std::size_t most);

@@ -148,7 +148,7 @@ LocalOptimum Starts::push_least_overlap_apart(double radius, Random& random, con
   return push_apart_and_descend(best, aim, lane);
 }
 
-std::optional<Vec6> Starts::fitted(Random& random, double farthest, std::size_t lane) {
+std::optional<Fit> Starts::fitted(Random& random, double farthest, std::size_t lane) {
   const MassProperties &probe = probe_.mass, &fixed = fixed_.mass;
   const Pose& device = chart_.device();
   const auto axis_of = [&](const Mat3& axes) {
@@ -171,23 +171,25 @@ std::optional<Vec6> Starts::fitted(Random& random, double farthest, std::size_t 
       if (chart_.v(y).norm() < descent_tuning.largest_start_v && y.norm() < farthest) return y;
       return std::nullopt;
     };
-    if (auto y = sketch_descents_.empty() ? placed(Vec3::Zero()) : least_overlap(placed, lane))
-      return y;
+    if (sketch_descents_.empty()) {
+      if (const auto y = placed(Vec3::Zero())) return Fit{*y, 0};
+    } else if (auto fit = least_overlap(placed, lane)) {
+      return fit;
+    }
   }
   return std::nullopt;
 }
 
-std::optional<Vec6> Starts::least_overlap(
+std::optional<Fit> Starts::least_overlap(
     const std::function<std::optional<Vec6>(const Vec3&)>& placed, std::size_t lane) {
   SketchDescent& sketches = sketch_descents_[lane];
-  std::optional<Vec6> best;
-  double least = std::numeric_limits<double>::infinity();
+  std::optional<Fit> best;
   Vec3 at = Vec3::Zero();
   const auto look = [&](const Vec3& by) {
     const auto y = placed(by);
     if (!y) return;
-    const double depth = sketches.depth_of_points(chart_, *y);
-    if (depth < least) least = depth, at = by, best = y;
+    const double overlap = sketches.depth_of_points(chart_, *y);
+    if (!best || overlap < best->overlap) best = Fit{*y, overlap}, at = by;
   };
   const double cell = sketches.spacing();
   const double round = 2 * std::numbers::pi * probe_.mass.radius;
@@ -235,8 +237,8 @@ LocalOptimum Starts::descend_in_round(std::size_t turn, std::size_t k,
   };
   const bool may_fit = aim.method == Method::pdg && !sketch_descents_.empty();
   if (may_fit && k > 0)
-    if (const auto y = fitted(random, tuned_.farthest_overlap * aim.beat, lane))
-      return independent(push_apart_and_descend(*y, aim, lane));
+    if (const auto fit = fitted(random, tuned_.farthest_overlap * aim.beat, lane))
+      return independent(push_apart_and_descend(fit->y, aim, lane));
   if (probe_.solid && fixed_.solid && turn % 2 == 0) {
     const double radius = random.uniform(tuned_.same_place, tuned_.farthest_overlap) * aim.beat;
     return independent(push_apart_within(radius, random, aim, lane));

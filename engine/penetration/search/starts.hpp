@@ -21,6 +21,12 @@ struct Aim {
   const LocalOptima* known = nullptr;  ///< optima that need not be reached again
 };
 
+/// An overlap to push apart, in which the bodies may fit into each other.
+struct Fit {
+  Vec6 y = Vec6::Zero();
+  double overlap = 0;  ///< m: how deep sketch points lie in the other body; 0 without sketches
+};
+
 /// Makes the starts of a search, of several kinds, and descends from each of them. Every call runs
 /// in one of two lanes, the workspaces of two threads. In a result, `starts` is 1 if the descent
 /// was independent of earlier results, otherwise 0.
@@ -55,14 +61,14 @@ class Starts {
   /// elsewhere within the best depth there is no room. Requires sketches.
   LocalOptimum push_least_overlap_apart(double radius, Random& random, const Aim& aim,
                                         std::size_t lane);
-  /// y of an overlap in which a principal axis of the probe lies along one of the fixed body, and
+  /// An overlap in which a principal axis of the probe lies along one of the fixed body, and
   /// both centres of mass on one line along it, as in parts that are made to fit. The position
   /// along the axis is random. So is the spin about it if there are no sketches. Otherwise the spin
   /// and the position across the axis are those of the least overlap of the sketches: in a fit
   /// finer than their cells, the bodies can hardly be pushed apart from any other, and the centre
   /// of a hole is not the centre of mass of the body round it. Within `farthest`, m; no value if
   /// such poses are rare.
-  std::optional<Vec6> fitted(Random& random, double farthest, std::size_t lane);
+  std::optional<Fit> fitted(Random& random, double farthest, std::size_t lane);
   /// Descends from a random free pose in a ball of about the best depth, or in a larger one.
   LocalOptimum descend_from_ball(Random random, const Aim& aim, std::size_t lane);
   /// Descends from a random free pose near an end: if there are many ends, the better ones lie
@@ -89,8 +95,8 @@ class Starts {
   /// Of the poses `placed` by a spin and two shifts across an axis (each in m; the spin as the way
   /// of a point at the probe's radius), one at which the sketches overlap little: the best spin at
   /// no shift, improved one coordinate at a time, down to half a cell of the sketches.
-  std::optional<Vec6> least_overlap(const std::function<std::optional<Vec6>(const Vec3&)>& placed,
-                                    std::size_t lane);
+  std::optional<Fit> least_overlap(const std::function<std::optional<Vec6>(const Vec3&)>& placed,
+                                   std::size_t lane);
   std::optional<Vec6> first_free_beyond(const Vec6& end, Method method, std::size_t lane) const;
   std::optional<Vec6> freed(const Vec6& end, Method method, std::size_t lane);
   std::optional<Vec6> free_sample(Random& random, const Vec6& center, double radius, Method method,

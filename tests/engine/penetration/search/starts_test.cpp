@@ -112,12 +112,13 @@ TEST(FittedStarts, the_spin_and_the_place_across_the_axis_are_those_of_the_least
   int within = 0, found = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     Random random(seed);
-    const auto y = starts.fitted(random, 1.2 * fit, 0);
-    if (!y) continue;
+    const auto place = starts.fitted(random, 1.2 * fit, 0);
+    if (!place) continue;
     ++within;
-    EXPECT_LT(y->norm(), 1.2 * fit) << seed;
+    EXPECT_LT(place->y.norm(), 1.2 * fit) << seed;
+    EXPECT_EQ(place->overlap, starts.sketch_descents()[0].depth_of_points(chart, place->y)) << seed;
     const LocalOptimum end =
-        starts.push_apart_and_descend(*y, {Method::pdg, 1.2 * fit, 50, nullptr}, 0);
+        starts.push_apart_and_descend(place->y, {Method::pdg, 1.2 * fit, 50, nullptr}, 0);
     if (!(end.depth < fit * (1 + 1e-6))) continue;
     ++found;
     EXPECT_FALSE(overlap(*plug, *body, Transform(chart.pose(end.y)), Doubt::exact)) << seed;
