@@ -290,7 +290,8 @@ void run(const QueryOptions& options) {
             options.question.contacts.empty()
                 ? std::vector<Row>()
                 : contact_rows(index, answer.separation, name_of_part, shown_shard);
-        lines.add(rows.columns(), rows.row(index, answer), contact_columns(nullptr), contacts);
+        lines.add(rows.columns(), rows.row(index, answer, name_of_part), contact_columns(nullptr),
+                  contacts);
         if (options.phases.timed()) picture.add(answer.separation, answer.time_us);
         lines.flush_now_and_then();
         progress.show(solver.coherent() ? "following" : "searching", share.done + k + 1,

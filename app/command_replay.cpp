@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
+#include <functional>
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "app/accuracy.hpp"
@@ -13,6 +18,7 @@
 #include "app/result_table.hpp"
 #include "app/static_searches.hpp"
 #include "engine/haptics/coupling/coupling_wrench.hpp"
+#include "engine/queries/body_queries.hpp"
 #include "engine/queries/pair_queries.hpp"
 #include "engine/recording/loop_run.hpp"
 #include "engine/recording/recording.hpp"
@@ -50,14 +56,24 @@ constexpr std::array<Column, 31> replay_columns{
      {"released", "J"}}};
 
 std::vector<Column> with_clearance(const ReplayOptions& options, std::vector<Column> columns) {
-  if (options.clearance) columns.push_back({"clearance", "m"});
+  if (options.clearance) columns.insert(columns.end(), {{"part", ""}, {"clearance", "m"}});
   return columns;
 }
 
-/// The room at a tick: less than zero, by the depth, where the probe is held.
-Cell clearance_cell(const Pair& pair, const Separation& s) {
-  if (s.status == Status::failed) return {};
-  return s.status == Status::penetrating ? -s.depth : distance(pair, s.device).distance;
+/// The room at a tick, and where it is taken.
+struct Room {
+  double clearance;  ///< m; less than zero, by the depth, where the probe is held
+  std::optional<Vec3> on_fixed;
+};
+/// Where it is held that is the contact that bears most.
+Room room_at(const Pair& pair, const Separation& s) {
+  if (s.status != Status::penetrating) {
+    const Clearance apart = distance(pair, s.device);
+    return {apart.distance, apart.on_fixed};
+  }
+  const auto most =
+      std::ranges::max_element(s.contacts, {}, [](const Contact& c) { return c.multiplier; });
+  return {-s.depth, most == s.contacts.end() ? std::nullopt : std::optional(most->on_fixed)};
 }
 
 /// What the tick let go; none where no energy of the coupling is defined by the separation.
@@ -134,8 +150,7 @@ class Results {
     table_.rows.push_back(row_of(tick, scene_.servo.rate_hz, Released::known));
     accuracy_.append_claim(table_.rows.back(), tick.separation);
     append_phases(options_.phases, table_.rows.back(), tick.separation);
-    if (options_.clearance)
-      table_.rows.back().push_back(clearance_cell(pair_.value(), tick.separation));
+    if (options_.clearance) append_room(table_.rows.back(), tick.separation);
     picture_.add(tick.separation, tick.tick_us);
     if (!options_.record.empty()) log_.add(tick);
   }
@@ -155,10 +170,21 @@ class Results {
   }
 
  private:
+  void append_room(Row& row, const Separation& s) {
+    if (s.status == Status::failed) return append_nothing(row, 2);
+    const Room room = room_at(pair_.value(), s);
+    if (room.on_fixed)
+      row.push_back(names_.emplace(part_at(pair_->fixed(), *room.on_fixed)).first->c_str());
+    else
+      append_nothing(row, 1);
+    row.push_back(room.clearance);
+  }
+
   const ReplayOptions& options_;
   const Scene& scene_;
   const Accuracy& accuracy_;
   std::optional<Pair> pair_;
+  std::set<std::string, std::less<>> names_;  // of parts, which rows point to
   std::vector<Column> columns_;
   ResultTable table_;
   std::vector<std::pair<std::size_t, Separation>> failures_;
@@ -334,7 +360,8 @@ Command add_replay_command(CLI::App& program) {
                                     "recording to write, whole or not at all: NAME.sonderec");
   auto* clearance = parser->add_flag(
       "--clearance", options->clearance,
-      "a column with the least distance of the bodies, less than zero, by the depth, where held");
+      "the least distance of the bodies, less than zero, by the depth, where held, and before it "
+      "the part of the fixed body there");
   parser
       ->add_flag("--as-recorded", options->as_recorded,
                  "the ticks of a recording as they were: nothing is run again, no mesh is read")

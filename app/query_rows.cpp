@@ -26,13 +26,14 @@ constexpr std::array<Column, 16> query_columns{{{"index", ""},
                                                 {"residual", ""},
                                                 {"iterations", ""},
                                                 {"time_us", "us"}}};
-constexpr std::array<Column, 7> clearance_columns{{{"clearance", "m"},
+constexpr std::array<Column, 8> clearance_columns{{{"clearance", "m"},
                                                    {"ax", "m"},
                                                    {"ay", "m"},
                                                    {"az", "m"},
                                                    {"bx", "m"},
                                                    {"by", "m"},
-                                                   {"bz", "m"}}};
+                                                   {"bz", "m"},
+                                                   {"part", ""}}};
 
 constexpr std::array<Column, 16> sweep_columns{{{"index", ""},
                                                 {"status", ""},
@@ -102,11 +103,13 @@ Cell signed_distance_of(const Separation& s) {
   return s.clearance ? Cell(s.clearance->distance) : Cell();
 }
 
-void append_clearance(Row& row, const std::optional<Clearance>& clearance) {
+void append_clearance(Row& row, const std::optional<Clearance>& clearance,
+                      const PartName& name_of_part) {
   if (!clearance) return append_nothing(row, clearance_columns.size());
   row.push_back(clearance->distance);
   append(row, clearance->on_probe);
   append(row, clearance->on_fixed);
+  row.push_back(name_of_part(clearance->on_fixed));
 }
 
 }  // namespace
@@ -130,8 +133,9 @@ void add_flags(CLI::App& parser, QueryQuestion& question) {
   parser
       .add_flag(
           "--clearance", question.clearance,
-          "where the bodies are apart, their least distance and the points of probe (ax,ay,az) "
-          "and fixed body (bx,by,bz) where it is taken; with --touch, without a search")
+          "where the bodies are apart, their least distance, the points of probe (ax,ay,az) and "
+          "fixed body (bx,by,bz) where it is taken, and the part of the fixed body there; with "
+          "--touch, without a search")
       ->group(group);
   parser
       .add_option("--contacts", question.contacts,
@@ -170,7 +174,7 @@ QueryRows::QueryRows(const QueryQuestion& question, const Accuracy& accuracy,
   if (shard) columns_.push_back({"shard", ""});
 }
 
-Row QueryRows::row(std::size_t index, const QueryAnswer& answer) {
+Row QueryRows::row(std::size_t index, const QueryAnswer& answer, const PartName& name_of_part) {
   const Separation& s = answer.separation;
   ++all_;
   Row row;
@@ -178,10 +182,10 @@ Row QueryRows::row(std::size_t index, const QueryAnswer& answer) {
     row = sweep_row(index, answer);
   } else if (question_.touch) {
     row = {static_cast<std::int64_t>(index), name_of(s.status)};
-    if (question_.clearance) append_clearance(row, s.clearance);
+    if (question_.clearance) append_clearance(row, s.clearance, name_of_part);
   } else {
     row = search_row(index, answer);
-    if (question_.clearance) append_clearance(row, s.clearance);
+    if (question_.clearance) append_clearance(row, s.clearance, name_of_part);
     accuracy_.append_claim(row, s);
     if (limit_us_ > 0) {
       const bool late = answer.time_us > not_late * limit_us_;
@@ -221,8 +225,7 @@ std::span<const Column> contact_columns(const char* shard) {
 }
 
 std::vector<Row> contact_rows(std::size_t index, const Separation& answer,
-                              const std::function<const char*(const Vec3&)>& name_of_part,
-                              const char* shard) {
+                              const PartName& name_of_part, const char* shard) {
   std::vector<Row> rows;
   if (answer.status != Status::penetrating) return rows;
   for (const Contact& contact : answer.contacts) {

@@ -32,6 +32,9 @@ struct QueryAnswer {
   double time_us = 0;
 };
 
+/// A name for a point of the fixed body, that outlives the rows.
+using PartName = std::function<const char*(const Vec3&)>;
+
 /// The row of an answer: `index,status` and what follows it.
 class QueryRows {
  public:
@@ -40,7 +43,7 @@ class QueryRows {
             const char* shard);
 
   const std::vector<Column>& columns() const { return columns_; }
-  Row row(std::size_t index, const QueryAnswer& answer);
+  Row row(std::size_t index, const QueryAnswer& answer, const PartName& name_of_part);
   /// On stderr: how many poses took too long, and how many did not converge.
   void note() const;
 
@@ -54,12 +57,10 @@ class QueryRows {
   std::size_t all_ = 0, late_ = 0, unfinished_ = 0;
 };
 
-/// The columns of contacts, and the rows of those that hold one separated pose. `name_of_part`: a
-/// name for a point of the fixed body, that outlives the rows. `shard`: in a column of its
-/// own; null: none.
+/// The columns of contacts, and the rows of those that hold one separated pose. `shard`: in a
+/// column of its own; null: none.
 std::span<const Column> contact_columns(const char* shard);
 std::vector<Row> contact_rows(std::size_t index, const Separation& answer,
-                              const std::function<const char*(const Vec3&)>& name_of_part,
-                              const char* shard);
+                              const PartName& name_of_part, const char* shard);
 
 }  // namespace sonde::app

@@ -55,13 +55,15 @@ TEST_F(QueryScale, clearance_is_the_gap_with_its_points) {
     EXPECT_NEAR(csv.number(0, "bx"), 0.1, 1e-15);
     EXPECT_EQ(csv.text(0, "ay"), csv.text(0, "by"));
     EXPECT_EQ(csv.text(1, "clearance"), "");
+    EXPECT_EQ(csv.text(0, "part"), "large.off");
     EXPECT_EQ(csv.text(1, "bz"), "");
+    EXPECT_EQ(csv.text(1, "part"), "");
     if (more != " --mode coherent") {
       EXPECT_NEAR(csv.number(2, "clearance"), 0.25, 1e-15);
     }
   }
   EXPECT_THAT(query("--poses faces.csv --clearance --claim").header,
-              HasSubstr("time_us,clearance,ax,ay,az,bx,by,bz,within,claim"));
+              HasSubstr("time_us,clearance,ax,ay,az,bx,by,bz,part,within,claim"));
 }
 
 // Reference: a face on a face, which is held by two opposite corners at least: the force of the
@@ -104,6 +106,24 @@ TEST_F(QueryScale, contacts_name_the_part) {
     if (line.starts_with("1,")) {
       EXPECT_THAT(line, testing::EndsWith("wall"));
     }
+  }
+}
+
+TEST_F(QueryScale, clearance_names_the_part_in_shares_too) {
+  folder.write("parts.sonde.json", R"({"probe": {"mesh": "small.off"}, "fixed": [
+    {"name": "floor, old", "mesh": "large.off"},
+    {"name": "стена", "mesh": "large.off", "pose": [1, 0, 0, 1, 0, 0, 0]}]})");
+  folder.write("both.csv", "px,py,pz,qw,qx,qy,qz\n0,0,0.3,1,0,0,0\n0.7,0,0,1,0,0,0\n");
+  for (const std::string more : {"", " --touch"}) {
+    const std::string all = "query parts.sonde.json --poses both.csv --clearance" + more;
+    for (const std::string i : {"1", "2"}) expect_done(all + " --shard " + i + "/2 --out s" + i);
+    expect_done("merge s1 s2 --out joined.csv");
+    for (const std::string& text : {expect_done(all).out, text_of(folder / "joined.csv")}) {
+      EXPECT_THAT(text, HasSubstr(",part\n"));
+      EXPECT_THAT(text, HasSubstr(",\"floor, old\"\n"));
+      EXPECT_THAT(text, HasSubstr(",стена\n"));
+    }
+    EXPECT_EQ(json::parse(expect_done(all + " --json").out).at("results")[1].at("part"), "стена");
   }
 }
 

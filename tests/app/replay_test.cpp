@@ -32,6 +32,21 @@ TEST_F(Replay, clearance_falls_through_zero_to_less_than_it) {
   }
 }
 
+// A probe between two walls: towards one, into it, and to the other.
+TEST_F(Replay, clearance_names_the_part_that_is_nearest_or_that_holds_the_probe) {
+  folder.write("walls.sonde.json", R"({"probe": {"mesh": "small.off"}, "fixed": [
+    {"name": "left", "mesh": "large.off", "pose": [-0.3, 0, 0, 1, 0, 0, 0]},
+    {"name": "right", "mesh": "large.off", "pose": [0.3, 0, 0, 1, 0, 0, 0]}]})");
+  folder.write("walk.csv",
+               "t,px,py,pz,qw,qx,qy,qz\n0,0.01,0,0,1,0,0,0\n0.1,0.1,0,0,1,0,0,0\n"
+               "0.2,0.16,0,0,1,0,0,0\n0.3,-0.1,0,0,1,0,0,0\n");
+  const Csv csv = replay("walls.sonde.json --trajectory walk.csv --clearance");
+  EXPECT_THAT(csv.header, testing::EndsWith(",part,clearance"));
+  EXPECT_LT(csv.number(2, "clearance"), 0);
+  const char* expected[] = {"right", "right", "right", "left"};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(csv.text(i, "part"), expected[i]) << i;
+}
+
 TEST_F(Replay, one_row_for_each_row_of_the_path) {
   const Csv csv = replay("boxes.sonde.json");
   EXPECT_EQ(csv.header, replay_header);
