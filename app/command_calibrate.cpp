@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
@@ -11,6 +10,7 @@
 #include "engine/calibration/calibration_file.hpp"
 #include "engine/study/parts/overlapping_poses.hpp"
 #include "engine/study/trade/calibrate.hpp"
+#include "engine/text/printable.hpp"
 
 namespace sonde::app {
 namespace {
@@ -26,7 +26,7 @@ struct CalibrateOptions {
 /// A scene's path where it has one, and poses in contact of it, or random ones.
 TradeSetup setup_of(const Scene& scene, const CalibrateOptions& options, ProgressLine& progress) {
   TradeSetup setup{.pair = load_bodies(scene, options.output.quiet, progress)};
-  setup.scene = scene.name;
+  setup.scene = utf8_text(scene.name);  // a file's name may be no UTF-8
   setup.seed = options.seed;
   const Body &probe = setup.pair.probe(), &fixed = setup.pair.fixed();
   const Stop stop = stop_on_interrupt();
@@ -46,23 +46,11 @@ TradeSetup setup_of(const Scene& scene, const CalibrateOptions& options, Progres
   return setup;
 }
 
-/// The file that is written holds the name of each scene.
-void check_name(const Scene& scene) {
-  CalibrationSeries named;
-  named.pair = scene.name;
-  try {
-    to_json(Calibration{{named}});
-  } catch (const nlohmann::json::exception&) {
-    throw InputError::in(scene.file.string(), "the name is no UTF-8: no calibration can hold it");
-  }
-}
-
 void run(const CalibrateOptions& options) {
   std::vector<Scene> scenes;
   std::vector<std::filesystem::path> inputs;
   for (const std::string& file : options.scenes) {
     scenes.push_back(scene_at(file, options.within));
-    check_name(scenes.back());
     for (const auto& input : inputs_of(scenes.back())) inputs.push_back(input);
   }
   if (!options.add.empty()) inputs.emplace_back(options.add);
@@ -73,8 +61,9 @@ void run(const CalibrateOptions& options) {
   Calibration all;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const TradeSetup setup = setup_of(scenes[i], options, progress);
-    progress.show("measuring", i, scenes.size());
-    for (CalibrationSeries& series : calibrate(setup, stop_on_interrupt()).series)
+    const std::string which = std::to_string(i + 1) + " of " + std::to_string(scenes.size());
+    const Progress measuring = progress.percent("measuring scene " + which, stop_on_interrupt());
+    for (CalibrationSeries& series : calibrate(setup, measuring).series)
       all.series.push_back(std::move(series));
   }
   progress.clear();

@@ -58,7 +58,10 @@ std::vector<Pose> choose_poses(const TradeOptions& options, const TradeSetup& se
 }
 
 void write_calibration(const TradeOptions& options, const TradeSetup& setup) {
-  const Calibration measured = calibrate(setup, stop_on_interrupt());
+  ProgressLine line(options.study.quiet, ProgressLine::Elsewhere::lines);
+  const Calibration measured =
+      calibrate(setup, line.percent("trade, calibration", stop_on_interrupt()));
+  line.clear();
   write_whole(std::filesystem::path(options.study.out) / "calibration.json", to_json(measured));
 }
 

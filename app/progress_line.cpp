@@ -3,10 +3,20 @@
 
 #include <cmath>
 #include <iostream>
+#include <utility>
 
 #include "engine/platform/terminal.hpp"
 
 namespace sonde::app {
+namespace {
+
+constexpr double longest_silence = 10;  // s without a word of the time
+
+std::string percent_text(double fraction) {
+  return std::to_string(static_cast<int>(100 * fraction)) + " %";
+}
+
+}  // namespace
 
 ProgressLine::ProgressLine(bool quiet, Elsewhere elsewhere, std::chrono::milliseconds every)
     : on_(!quiet && (error_stream_is_terminal() || elsewhere == Elsewhere::lines)),
@@ -38,28 +48,33 @@ void ProgressLine::write_lines(std::chrono::milliseconds every) {
   }
 }
 
-void ProgressLine::show(const std::string& what, std::size_t done, std::size_t total) {
+void ProgressLine::show(const std::string& what, std::size_t done, std::size_t total,
+                        double under_way) {
   if (!on_) return;
-  const std::string left = time_left(what, done, total);
-  draw(what + ": " + std::to_string(done) + " of " + std::to_string(total) + left);
+  const double all = static_cast<double>(total), so_far = static_cast<double>(done) + under_way;
+  const std::string part = under_way > 0 && total > 0 ? ", " + percent_text(so_far / all) : "";
+  draw(what + ": " + std::to_string(done) + " of " + std::to_string(total) + part +
+       time_left(what, so_far, all));
 }
 
-std::string ProgressLine::time_left(const std::string& what, std::size_t done, std::size_t total) {
+std::string ProgressLine::time_left(const std::string& what, double done, double total) {
   const std::lock_guard lock(mutex_);
   const auto now = std::chrono::steady_clock::now();
   if (what != what_ || done < done_then_) what_ = what, since_ = now, done_then_ = done;
   const double passed = std::chrono::duration<double>(now - since_).count();
+  if (done <= done_then_ && passed >= longest_silence)
+    return ", " + std::to_string(static_cast<long>(passed)) +
+           " s so far, how long is not known yet";
   if (passed < 1 || done <= done_then_ || done >= total) return {};
-  const double seconds =
-      passed * static_cast<double>(total - done) / static_cast<double>(done - done_then_);
+  const double seconds = passed * (total - done) / (done - done_then_);
   if (seconds < 100) return ", " + std::to_string(static_cast<int>(std::ceil(seconds))) + " s left";
-  return ", " + std::to_string(static_cast<int>(std::ceil(seconds / 60))) + " min left";
+  return ", " + std::to_string(static_cast<long>(std::ceil(seconds / 60))) + " min left";
 }
 
-Progress ProgressLine::percent(const std::string& what) {
-  return [this, what](double fraction) {
-    if (on_) draw(what + ": " + std::to_string(static_cast<int>(100 * fraction)) + " %");
-    return true;
+Progress ProgressLine::percent(const std::string& what, Stop stop) {
+  return [this, what, stop = std::move(stop)](double fraction) {
+    if (on_) draw(what + ": " + percent_text(fraction) + time_left(what, fraction, 1));
+    return !(stop && stop());
   };
 }
 

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "engine/base/error.hpp"
+#include "engine/base/progress.hpp"
 
 namespace sonde::app {
 
@@ -26,10 +27,12 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   /// "what: done of total", and after a second the time that is left, by what was done since the
-  /// first call; drawn ten times a second at most.
-  void show(const std::string& what, std::size_t done, std::size_t total);
-  /// A callback that shows "what: n %" and never cancels.
-  Progress percent(const std::string& what);
+  /// first call; drawn ten times a second at most. `under_way`: what is done of the next ones,
+  /// which counts; then the part of all that is done is shown too.
+  void show(const std::string& what, std::size_t done, std::size_t total, double under_way = 0);
+  /// A callback that shows "what: n %" with the time that is left, and cancels where `stop` says
+  /// so.
+  Progress percent(const std::string& what, Stop stop = {});
   /// As it stands, where nothing can be counted yet.
   void say(const std::string& text) {
     if (on_) draw(text);
@@ -38,8 +41,8 @@ class ProgressLine {
 
  private:
   void draw(const std::string& text);
-  /// ", 12 s left"; empty where that is not known yet.
-  std::string time_left(const std::string& what, std::size_t done, std::size_t total);
+  /// ", 12 s left"; empty where that is not known yet, but for no longer than ten seconds.
+  std::string time_left(const std::string& what, double done, double total);
   void write_lines(std::chrono::milliseconds every);
 
   bool on_;
@@ -48,7 +51,7 @@ class ProgressLine {
   std::chrono::steady_clock::time_point last_;
   std::string what_;  // of the last call of show()
   std::chrono::steady_clock::time_point since_;
-  std::size_t done_then_ = 0;
+  double done_then_ = 0;
   std::mutex mutex_;
   std::condition_variable ended_;
   bool end_ = false;

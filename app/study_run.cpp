@@ -6,7 +6,7 @@
 #include <iostream>
 #include <limits>
 #include <map>
-#include <mutex>
+#include <optional>
 #include <thread>
 
 #include "app/interrupt.hpp"
@@ -70,12 +70,12 @@ void run_study(const Study& study, const StudyOptions& options, StudyFiles join,
   const Shard shard = options.shard.empty() ? Shard{} : shard_of(options.shard).value();
   ProgressLine progress(options.quiet, ProgressLine::Elsewhere::lines);
   progress.say(study.kind + ", the first parts");
-  std::mutex one_at_a_time;
+  std::optional<std::size_t> finished;
   compute_parts(options.out, study, shard, threads_of(options), stop,
-                [&](std::size_t done, std::size_t total) {
-                  const std::lock_guard lock(one_at_a_time);
-                  if (on_part) on_part(progress);
-                  progress.show(study.kind + ", parts", done, total);
+                [&](std::size_t done, std::size_t total, double under_way) {
+                  if (on_part && finished != done) on_part(progress);
+                  finished = done;
+                  progress.show(study.kind + ", parts", done, total, under_way);
                 });
   progress.clear();
   if (read_study(options.out).complete()) return join_study(options.out, join);

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <thread>
 
@@ -147,11 +146,9 @@ Tuning compute_tuning(const TuningOrder& order, const LoadedScene& opened, const
                             [&](double done) { fraction = looking * done; });
   keep_kind(study, order.kind);
   const fs::path folder = order.within / fingerprint(study.about);
-  std::mutex one_at_a_time;
   std::size_t told = 0;
-  const auto tell = [&](std::size_t done, std::size_t total) {
+  const auto tell = [&](std::size_t done, std::size_t total, double) {
     fraction = looking + (1 - looking) * double(done) / double(total);
-    const std::scoped_lock lock(one_at_a_time);
     if (!found || done <= told || done == total) return;
     told = done;
     if (auto so_far = tuning_in(folder, opened)) found(*so_far);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <utility>
 
 #include "engine/base/error.hpp"
 #include "engine/base/progress.hpp"
@@ -72,22 +73,19 @@ std::vector<double> free_travels(const Pair& pair, const InsertionPath& way,
                                  const Progress& progress) {
   check(map);
   std::vector<double> out(map.offsets * map.tilts);
-  std::size_t done = 0;
+  double done = 0;  // in points, with what is done of those under way
   std::mutex reporting;
-  const auto report_done = [&] {
-    report(progress, static_cast<double>(done) / static_cast<double>(out.size()));
-  };
-  const Progress within = [&](double) {
-    const std::lock_guard lock(reporting);
-    report_done();
-    return true;
-  };
   run_parallel(out.size(), std::max(1u, threads), [&](std::size_t k) {
     const double offset = map.offset(k / map.tilts), tilt = map.tilt(k % map.tilts);
+    double of_point = 0;
+    const Progress within = [&](double fraction) {
+      const std::lock_guard lock(reporting);
+      done += fraction - std::exchange(of_point, fraction);
+      report(progress, done / static_cast<double>(out.size()));
+      return true;
+    };
     out[k] = free_travel(pair, moved(way, pair, map, offset, tilt), within);
-    const std::lock_guard lock(reporting);
-    ++done;
-    report_done();
+    within(1);
   });
   return out;
 }

@@ -102,14 +102,35 @@ Json room_of_rows(const Json& rows) {
   return out;
 }
 
-std::string map_row(const InsertionRequest& request, std::size_t i, const Stop& stop) {
+std::string way_part(const InsertionRequest& request, const Progress& progress) {
+  const Insertion found =
+      insertion(request.pair, request.way, request.steps, request.coupling, progress);
+  const Body& fixed = request.pair.fixed();
+  Json out{{"steps", Json::array()},
+           {"first", first_of(found.first, fixed)},
+           {"room", room_of(found.room)}};
+  for (const InsertionStep& step : found.steps)
+    out["steps"].push_back(row_of(step, found.first, fixed));
+  return out.dump();
+}
+
+/// A part's progress: said of the part, and asking whether to stop.
+Progress told(const std::shared_ptr<std::atomic<double>>& done, const Stop& stop) {
+  return [done, stop](double fraction) {
+    *done = fraction;
+    return !(stop && stop());
+  };
+}
+
+std::string map_row(const InsertionRequest& request, std::size_t i, const Progress& progress) {
   const InsertionMap& map = *request.map;
   const double offset = map.offset(i);
   Json row{{"offset", offset}, {"travel", Json::array()}};
   for (std::size_t j = 0; j < map.tilts; ++j) {
     const InsertionPath way = moved(request.way, request.pair, map, offset, map.tilt(j));
+    const double all = static_cast<double>(map.tilts), at = static_cast<double>(j);
     row["travel"].push_back(
-        free_travel(request.pair, way, [&](double) { return !(stop && stop()); }));
+        free_travel(request.pair, way, part_of(progress, at / all, (at + 1) / all)));
   }
   return row.dump();
 }
@@ -329,22 +350,16 @@ std::string words_for(const Json& summary) {
 
 Study plan_insertion(const InsertionRequest& request) {
   Study study{kind_of_study, request.about, {}};
-  study.parts.push_back({"way", [request](const Stop& stop) {
-                           const Insertion found =
-                               insertion(request.pair, request.way, request.steps, request.coupling,
-                                         [&](double) { return !(stop && stop()); });
-                           const Body& fixed = request.pair.fixed();
-                           Json out{{"steps", Json::array()},
-                                    {"first", first_of(found.first, fixed)},
-                                    {"room", room_of(found.room)}};
-                           for (const InsertionStep& step : found.steps)
-                             out["steps"].push_back(row_of(step, found.first, fixed));
-                           return out.dump();
-                         }});
+  const auto add = [&study](const std::string& name, auto compute) {
+    const auto done = std::make_shared<std::atomic<double>>(0);
+    study.parts.push_back(
+        {name, [=](const Stop& stop) { return compute(told(done, stop)); }, done});
+  };
+  add("way", [request](const Progress& progress) { return way_part(request, progress); });
   const std::size_t rows = request.map ? request.map->offsets : 0;
   for (std::size_t i = 0; i < rows; ++i)
-    study.parts.push_back({"offset-" + std::to_string(i),
-                           [request, i](const Stop& stop) { return map_row(request, i, stop); }});
+    add("offset-" + std::to_string(i),
+        [request, i](const Progress& progress) { return map_row(request, i, progress); });
   return study;
 }
 

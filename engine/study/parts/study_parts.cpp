@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "engine/base/error.hpp"
@@ -81,6 +82,57 @@ std::vector<const StudyPart*> missing(const fs::path& folder, const Study& study
   return parts;
 }
 
+/// Tells how far the parts are: what is finished, and what the others say of themselves.
+class PartsTold {
+ public:
+  PartsTold(const std::vector<const StudyPart*>& parts, std::size_t total,
+            const PartsProgress& progress)
+      : parts_(parts),
+        progress_(progress),
+        ended_(parts.size()),
+        total_(total),
+        done_(total - parts.size()) {
+    for (const StudyPart* part : parts)
+      if (part->done) *part->done = 0;
+  }
+
+  void finished(std::size_t i) {
+    if (!progress_) return;
+    const std::lock_guard lock(mutex_);
+    ended_[i] = true;
+    ++done_;
+    tell(sum());
+  }
+  /// Where there is news: parts ask often whether to stop.
+  void under_way() {
+    if (!progress_) return;
+    const std::unique_lock lock(mutex_, std::try_to_lock);
+    if (!lock) return;
+    constexpr double news = 1e-3;  // of a part
+    const double now = sum();
+    if (now >= told_ + news) tell(now);
+  }
+
+ private:
+  double sum() const {
+    double all = 0;
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+      if (parts_[i]->done && !ended_[i]) all += *parts_[i]->done;
+    return all;
+  }
+  void tell(double under_way) {
+    told_ = under_way;
+    progress_(done_, total_, under_way);
+  }
+
+  const std::vector<const StudyPart*>& parts_;
+  const PartsProgress& progress_;
+  std::mutex mutex_;
+  std::vector<bool> ended_;
+  std::size_t total_, done_;
+  double told_ = 0;
+};
+
 }  // namespace
 
 // An empty "parts" folder alone was just created by another process; hidden files are incomplete.
@@ -150,19 +202,22 @@ void compute_parts(const fs::path& folder, const Study& study, Shard shard, unsi
   claim_folder(folder, study);
   std::size_t total = 0;
   const std::vector<const StudyPart*> parts = missing(folder, study, shard, total);
-  std::atomic<std::size_t> done{total - parts.size()};
+  PartsTold told(parts, total, progress);
   std::atomic<bool> failed{false};
-  const Stop stop_or_failed = [&] { return failed || stop(); };
+  const Stop stop_or_failed = [&] {
+    told.under_way();
+    return failed || stop();
+  };
   run_parallel(parts.size(), std::max(1u, threads), [&](std::size_t i) {
     try {
-      if (stop_or_failed()) throw Cancelled();
+      if (failed || stop()) throw Cancelled();
       const std::string result = parts[i]->compute(stop_or_failed);
       write_whole(part_file(folder, parts[i]->name), result);
     } catch (...) {
       failed = true;  // the other threads need not finish, since nobody will read their results
       throw;
     }
-    if (progress) progress(++done, total);
+    told.finished(i);
   });
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +21,9 @@ struct StudyPart {
   /// Its result as JSON text: the same bits wherever and whenever it is computed, except for
   /// members named time_us.
   std::function<std::string(const Stop& stop)> compute;
+  /// Of a part that takes long: how much of it is done, 0 to 1, set by `compute` before it asks
+  /// whether to stop. Null: it does not say.
+  std::shared_ptr<std::atomic<double>> done = nullptr;
 };
 
 /// A long computation as a list of independent parts and the data that joins their results. Its
@@ -54,8 +59,9 @@ struct Shard {
 /// "2/8": the second of eight. No value for anything else.
 std::optional<Shard> shard_of(std::string_view text);
 
-/// `done` parts of `total` in the shard are finished.
-using PartsProgress = std::function<void(std::size_t done, std::size_t total)>;
+/// `done` parts of `total` in the shard are finished, and of those that are being computed and say
+/// so, so much (in parts). One thread at a time.
+using PartsProgress = std::function<void(std::size_t done, std::size_t total, double under_way)>;
 
 /// Throws InputError if the folder holds other files and no study. Call it before a study is
 /// planned, which may take long.

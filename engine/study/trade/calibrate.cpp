@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "engine/base/error.hpp"
 #include "engine/base/numbers.hpp"
@@ -22,9 +24,17 @@ constexpr double tick_times[] = {50, 100, 200, 400, 800, 1600, 0};
 constexpr int reference_searches = 3;
 constexpr std::size_t most_kept = 200;
 
-void check(const Stop& stop) {
-  if (stop()) throw Cancelled();
-}
+/// Equal steps of some work, told before each.
+class CalibrationSteps {
+ public:
+  CalibrationSteps(const Progress& progress, std::size_t all)
+      : progress_(progress), all_(static_cast<double>(std::max<std::size_t>(all, 1))) {}
+  void next() { report(progress_, done_++ / all_); }
+
+ private:
+  const Progress& progress_;
+  double all_, done_ = 0;
+};
 
 double depth_or_infinity(const Separation& s) {
   return s.status == Status::failed ? infinity : s.depth;
@@ -53,13 +63,14 @@ std::vector<double> kept(std::vector<double> errors) {
   return out;
 }
 
-std::vector<double> least_depths(const TradeSetup& setup, Method method, const Stop& stop) {
+std::vector<double> least_depths(const TradeSetup& setup, Method method, const Progress& progress) {
   std::vector<double> out;
+  CalibrationSteps steps(progress, setup.poses.size() * reference_searches);
   Random seeds(setup.seed);
   for (const Pose& pose : setup.poses) {
     double least = infinity;
     for (int i = 0; i < reference_searches; ++i) {
-      check(stop);
+      steps.next();
       least = std::min(least, depth_or_infinity(separate_static(setup.pair, pose,
                                                                 options(method, seeds.next(), 0))));
     }
@@ -70,12 +81,12 @@ std::vector<double> least_depths(const TradeSetup& setup, Method method, const S
 
 /// The depth at each pose of the path with one time limit, m.
 std::vector<double> follow(const Pair& pair, Method method, std::span<const TimedPose> path,
-                           std::uint64_t seed, double time_us, const Stop& stop) {
+                           std::uint64_t seed, double time_us, CalibrationSteps& steps) {
   std::vector<double> out;
   CoherentSolver solver(pair, method);
   bool started = false;  // after a failed search there is no pose to follow: search again
   for (const TimedPose& at : path) {
-    check(stop);
+    steps.next();
     if (!started) solver.reset(at.pose, options(method, seed, 0));
     out.push_back(depth_or_infinity(solver.tick(at.pose, {.microseconds = time_us})));
     started = started || std::isfinite(out.back());
@@ -92,17 +103,18 @@ double tick_error(double got, double wanted, double deepest) {
 
 CalibrationSeries calibrate_searches(const Pair& pair, const std::string& name, Method method,
                                      std::span<const Pose> poses, std::vector<double> references,
-                                     std::uint64_t seed, const Stop& stop) {
+                                     std::uint64_t seed, const Progress& progress) {
   CalibrationSeries out{name, Answers::search, method, bool(pair.sketches()), {}};
   struct Found {
     double depth;
     bool far_out;
   };
   std::vector<std::vector<Found>> found;  // by time, then by pose
+  CalibrationSteps steps(progress, std::size(search_times) * poses.size());
   for (const double time_us : search_times) {
     found.emplace_back();
     for (std::size_t i = 0; i < poses.size(); ++i) {
-      check(stop);
+      steps.next();
       const Separation one = separate_static(pair, poses[i], options(method, seed + i, time_us));
       found.back().push_back({depth_or_infinity(one), one.far_out});
       references[i] = std::min(references[i], found.back().back().depth);
@@ -121,15 +133,16 @@ CalibrationSeries calibrate_searches(const Pair& pair, const std::string& name, 
 
 CalibrationSeries calibrate_ticks(const Pair& pair, const std::string& name, Method method,
                                   std::span<const TimedPose> path, std::uint64_t seed,
-                                  const Stop& stop) {
+                                  const Progress& progress) {
   CalibrationSeries out{name, Answers::tick, method, bool(pair.sketches()), {}};
-  const std::vector<double> wanted = follow(pair, method, path, seed, 0, stop);
+  CalibrationSteps steps(progress, std::size(tick_times) * path.size());
+  const std::vector<double> wanted = follow(pair, method, path, seed, 0, steps);
   double deepest = 0;
   for (const double depth : wanted)
     if (std::isfinite(depth)) deepest = std::max(deepest, depth);
   for (const double time_us : tick_times) {
     const std::vector<double> got =
-        time_us > 0 ? follow(pair, method, path, seed, time_us, stop) : wanted;
+        time_us > 0 ? follow(pair, method, path, seed, time_us, steps) : wanted;
     std::vector<double> errors;
     for (std::size_t i = 0; i < got.size(); ++i)
       if (got[i] > 0 || wanted[i] > 0) errors.push_back(tick_error(got[i], wanted[i], deepest));
@@ -138,15 +151,28 @@ CalibrationSeries calibrate_ticks(const Pair& pair, const std::string& name, Met
   return out;
 }
 
-Calibration calibrate(const TradeSetup& setup, const Stop& stop) {
+Calibration calibrate(const TradeSetup& setup, const Progress& progress) {
+  // Shares of the time: a search takes about as long as a hundred ticks.
+  constexpr double for_tick = 0.01;
+  const double least = static_cast<double>(setup.poses.size() * reference_searches),
+               searches = static_cast<double>(setup.poses.size() * std::size(search_times)),
+               ticks = for_tick * static_cast<double>(setup.path.size() * std::size(tick_times)),
+               all = static_cast<double>(std::size(traded_methods)) * (least + searches + ticks);
+  double done = 0;
+  const auto share = [&](double of) {
+    const double from = std::exchange(done, done + of);
+    return part_of(progress, from / all, done / all);
+  };
   Calibration out;
   for (const Method method : traded_methods) {
-    if (!setup.poses.empty())
+    if (!setup.poses.empty()) {
+      std::vector<double> references = least_depths(setup, method, share(least));
       out.series.push_back(calibrate_searches(setup.pair, setup.scene, method, setup.poses,
-                                              least_depths(setup, method, stop), setup.seed, stop));
+                                              std::move(references), setup.seed, share(searches)));
+    }
     if (!setup.path.empty())
       out.series.push_back(
-          calibrate_ticks(setup.pair, setup.scene, method, setup.path, setup.seed, stop));
+          calibrate_ticks(setup.pair, setup.scene, method, setup.path, setup.seed, share(ticks)));
   }
   return out;
 }

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/progress.hpp"
 #include "engine/calibration/calibration.hpp"
 #include "engine/scene/poses.hpp"
-#include "engine/study/parts/study_parts.hpp"
 #include "engine/study/trade/trade.hpp"
 
 namespace sonde {
@@ -17,7 +17,7 @@ namespace sonde {
 /// its depth becomes the reference. One thread; two runs never measure the same. Throws Cancelled.
 CalibrationSeries calibrate_searches(const Pair& pair, const std::string& name, Method method,
                                      std::span<const Pose> poses, std::vector<double> references,
-                                     std::uint64_t seed, const Stop& stop);
+                                     std::uint64_t seed, const Progress& progress = {});
 
 /// How much deeper a tick's answer is than the one without a limit, over the largest depth of the
 /// path. A limit may also lead to another side of a sheet, where the way out is shorter: that is no
@@ -28,10 +28,10 @@ double tick_error(double got, double wanted, double deepest);
 /// The same for the ticks along a path, with limits from 0.05 to 1.6 ms and none.
 CalibrationSeries calibrate_ticks(const Pair& pair, const std::string& name, Method method,
                                   std::span<const TimedPose> path, std::uint64_t seed,
-                                  const Stop& stop);
+                                  const Progress& progress = {});
 
 /// Both, with both methods, for the input of a trade study. The reference of a pose is the least of
 /// three searches without a limit. The path may be empty.
-Calibration calibrate(const TradeSetup& setup, const Stop& stop);
+Calibration calibrate(const TradeSetup& setup, const Progress& progress = {});
 
 }  // namespace sonde

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -102,6 +103,21 @@ TEST(InsertionReport, a_point_of_the_map_is_as_reckoned_by_hand) {
   }
   EXPECT_GT(in, 10);
   EXPECT_GT(out, 10);
+}
+
+TEST(InsertionReport, one_long_way_says_how_far_it_is) {
+  InsertionRequest request = peg_over_slot();
+  request.map.reset();
+  Study study = plan_insertion(request);
+  ASSERT_EQ(study.parts.size(), 1u);
+  std::vector<double> told;
+  study.parts[0].compute([&] {
+    told.push_back(*study.parts[0].done);
+    return false;
+  });
+  EXPECT_GT(told.size(), 20u);
+  EXPECT_TRUE(std::ranges::is_sorted(told));
+  EXPECT_GT(told.back(), 0.6);
 }
 
 TEST(InsertionReport, tables_and_pictures_say_the_same) {

@@ -76,11 +76,37 @@ TEST(StudyParts, shards_together_are_the_whole) {
     std::size_t sum = 0;
     for (std::size_t i = 0; i < count; ++i)
       compute_parts(folder.path(), squares.study, {i, count}, 1, never,
-                    [&](std::size_t, std::size_t) { ++sum; });
+                    [&](std::size_t, std::size_t, double) { ++sum; });
     EXPECT_EQ(squares.computed, 5);
     EXPECT_EQ(sum, 5u);
     EXPECT_TRUE(read_study(folder.path()).complete());
   }
+}
+
+TEST(StudyParts, of_one_that_says_how_far_it_is_that_is_told_before_it_ends) {
+  const test::TempFolder folder;
+  Study study{"squares", "{}", {}};
+  const auto half_way = std::make_shared<std::atomic<double>>(0);
+  study.parts.push_back({"long",
+                         [&](const Stop& stop) {
+                           for (const double done : {0.25, 0.5, 0.5, 0.75}) {
+                             *half_way = done;
+                             EXPECT_FALSE(stop());
+                           }
+                           return std::string("1");
+                         },
+                         half_way});
+  study.parts.push_back({"silent", [](const Stop& stop) {
+                           EXPECT_FALSE(stop());
+                           return std::string("2");
+                         }});
+  std::vector<std::array<double, 3>> told;
+  compute_parts(folder.path(), study, {}, 1, never,
+                [&](std::size_t done, std::size_t total, double under_way) {
+                  told.push_back({double(done), double(total), under_way});
+                });
+  EXPECT_EQ(told, (std::vector<std::array<double, 3>>{
+                      {0, 2, 0.25}, {0, 2, 0.5}, {0, 2, 0.75}, {1, 2, 0}, {2, 2, 0}}));
 }
 
 TEST(StudyParts, stopped_in_the_middle_keeps_what_is_finished) {
