@@ -19,6 +19,7 @@
 #include "engine/recording/recorded_tick.hpp"
 #include "engine/scene/write_scene.hpp"
 #include "engine/settings/json_settings.hpp"
+#include "engine/text/printable.hpp"
 
 namespace sonde {
 namespace {
@@ -174,7 +175,7 @@ std::string header_bytes(const RecordingHeader& header, const fs::path& file) {
   const ordered_json json{
       {"format", "sonde recording"},
       {"units", "SI; poses and contacts in the mesh frame of the fixed body"},
-      {"name", header.scene.name},
+      {"name", utf8_text(header.scene.name)},  // a file's name may be no UTF-8
       {"started", header.started},
       {"rate_hz", header.rate_hz},
       {"probe_radius", header.probe_radius},
@@ -185,12 +186,7 @@ std::string header_bytes(const RecordingHeader& header, const fs::path& file) {
       {"ticks", json_of(tick_columns())},
       {"contacts", json_of(contact_columns())},
       {"searches", json_of(search_columns())}};
-  std::string text;
-  try {
-    text = json.dump(1);
-  } catch (const nlohmann::json::exception&) {
-    throw InputError::in(file.string(), "the scene's name is no UTF-8: no recording can hold it");
-  }
+  const std::string text = json.dump(1);
   std::string out(magic);
   append_count(out, recording_version);
   append_count(out, static_cast<std::uint32_t>(text.size()));

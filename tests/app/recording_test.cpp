@@ -114,10 +114,16 @@ TEST_F(Recordings, appear_with_their_table_or_not_at_all) {
   expect_refused("replay boxes.sonde.json --record x.sonderec >/dev/full", 3, "standard output");
 }
 
-TEST_F(Recordings, of_a_name_that_is_no_utf_8_are_refused) {
+TEST_F(Recordings, and_calibrations_name_a_file_that_is_no_utf_8_as_info_does) {
   folder.write("b\xff.sonde.json", text_of(folder / "boxes.sonde.json"));
-  expect_refused("replay b\xff.sonde.json --record x.sonderec", 3, "no UTF-8");
-  expect_refused("calibrate b\xff.sonde.json", 3, "no UTF-8");
+  expect_done("replay b\xff.sonde.json --record x\xff.sonderec");
+  EXPECT_THAT(expect_done("info x\xff.sonderec --json").out, HasSubstr(R"("name": "b\\xff")"));
+  const auto columns = [this](const std::string& of) {
+    return Csv(expect_done("replay " + of).out).without(time_columns);
+  };
+  EXPECT_EQ(columns("x\xff.sonderec"), columns("boxes.sonde.json")) << "it is run again";
+  expect_done("calibrate b\xff.sonde.json --count 0 --out c.json");
+  EXPECT_THAT(text_of(folder / "c.json"), HasSubstr(R"(b\\xff)"));
 }
 
 TEST_F(Recordings, a_trajectory_that_fails_writes_none) {

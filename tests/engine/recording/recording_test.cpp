@@ -147,10 +147,12 @@ TEST_F(RecordingFile, a_header_with_numbers_that_cannot_be_is_refused) {
   }
 }
 
-TEST_F(RecordingFile, a_name_that_is_no_utf_8_is_refused) {
+TEST_F(RecordingFile, a_name_that_is_no_utf_8_is_kept_as_it_can_be_typed) {
   RecordingHeader header = header_of(scene, made_up_radius);
-  header.scene.name = "\xff";
-  EXPECT_THROW(header_bytes(header, folder / "x.sonderec"), InputError);
+  header.scene.name = "p\xe4g";
+  const std::vector<Snapshot> ticks = made_up_ticks(2);
+  EXPECT_EQ(complaint(header_bytes(header, folder / "x") + tick_block(ticks) + end_block(2)), "");
+  EXPECT_EQ(read->header.scene.name, "p\\xe4g");
 }
 
 TEST_F(RecordingFile, times_that_fall_or_are_none_end_it_at_their_block) {
