@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <fstream>
 #include <new>
+#include <optional>
 
 #include "engine/base/progress.hpp"
 #include "engine/mesh_io/assets/asset_readers.hpp"
@@ -23,7 +24,7 @@ std::string lower_extension(const std::filesystem::path& path) {
   return extension;
 }
 
-MeshFormat format_of(const std::filesystem::path& path) {
+std::optional<MeshFormat> known_format(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
   if (extension == ".off") return MeshFormat::off;
   if (extension == ".obj") return MeshFormat::obj;
@@ -32,6 +33,11 @@ MeshFormat format_of(const std::filesystem::path& path) {
   if (extension == ".glb" || extension == ".gltf") return MeshFormat::gltf;
   if (extension == ".3mf") return MeshFormat::threemf;
   if (extension == ".dae") return MeshFormat::dae;
+  return std::nullopt;
+}
+
+MeshFormat format_of(const std::filesystem::path& path) {
+  if (const auto known = known_format(path)) return *known;
   throw InputError::in(path.string(),
                        "unknown mesh format: OFF, OBJ, PLY, STL, GLB, glTF, 3MF and DAE are read");
 }
@@ -92,6 +98,8 @@ bool has_own_unit(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
   return extension == ".glb" || extension == ".gltf" || extension == ".3mf" || extension == ".dae";
 }
+
+bool is_mesh_name(const std::filesystem::path& path) { return known_format(path).has_value(); }
 
 PolygonSoup read_mesh(const std::filesystem::path& path, double scale, const Progress& progress) {
   const std::string file = path.string();

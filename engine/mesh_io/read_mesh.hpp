@@ -20,4 +20,7 @@ PolygonSoup read_mesh(const std::filesystem::path& file, double scale = 1.0,
 /// Whether files of this format, told by their extension, state their unit: GLB, glTF, 3MF, DAE.
 bool has_own_unit(const std::filesystem::path& file);
 
+/// Whether the extension is one of those that are read.
+bool is_mesh_name(const std::filesystem::path& file);
+
 }  // namespace sonde

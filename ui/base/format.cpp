@@ -7,8 +7,10 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <string>
 
 #include "engine/body/body.hpp"
+#include "engine/mesh_io/read_mesh.hpp"
 #include "engine/text/printable.hpp"
 
 namespace sonde::ui {
@@ -20,6 +22,17 @@ constexpr int most_decimals = 6;
 QString fixed_text(double value, int decimals) {
   const QString text = QString::number(value, 'f', decimals);
   return text.toDouble() == 0 ? QString::number(0.0, 'f', decimals) : text;
+}
+
+/// Of a mesh file, whose folders may be named too, its name without the ending; behind that may be
+/// the number of a component, as in "pair.stl:2". A name that somebody gave may have dots and
+/// slashes in it, and stays.
+std::string without_mesh_ending(const std::string& name) {
+  const std::string before = name.substr(0, name.find_last_not_of("0123456789") + 1);
+  const bool numbered = before.size() < name.size() && before.ends_with(':');
+  const std::size_t length = numbered ? before.size() - 1 : name.size();
+  const std::filesystem::path file(name.substr(0, length));
+  return is_mesh_name(file) ? file.stem().string() + name.substr(length) : name;
 }
 
 }  // namespace
@@ -86,7 +99,7 @@ QString components_text(const Vec3& x) {
 }
 
 QString short_name(const Body& body) {
-  QString name = text(printable(std::filesystem::path(body.name).stem().string()));
+  QString name = text(printable(without_mesh_ending(body.name)));
   // What turns the direction of a text would turn that of the words beside the name too.
   name.remove(QRegularExpression(QStringLiteral("[\\x{202a}-\\x{202e}\\x{2066}-\\x{2069}]")));
   return name;

@@ -283,6 +283,14 @@ TEST(ReadStl, several_solids_odd_case_and_normals_that_are_no_numbers) {
   EXPECT_EQ(got.polygons, (std::vector<std::vector<std::size_t>>{{0, 1, 2}, {0, 1, 2}}));
 }
 
+TEST(ReadMesh, a_name_is_a_meshs_by_its_extension_in_any_case) {
+  for (const char* name :
+       {"a.off", "M3.5.STL", "b.c/d.Ply", "a.obj", "a.glb", "a.gltf", "a.3mf", "a.dae"})
+    EXPECT_TRUE(is_mesh_name(name)) << name;
+  for (const char* name : {"M3.5 screw", "stl", ".stl", "a.stl.gz", "a.json", ""})
+    EXPECT_FALSE(is_mesh_name(name)) << name;
+}
+
 TEST(ReadMesh, tiny_numbers_are_zero_enough) {
   const std::string none = "0." + std::string(400, '0') + "1";
   for (const std::string& small : {std::string("1e-400"), std::string("-1E-400"), none})

@@ -51,6 +51,22 @@ TEST(Format, the_name_of_a_body_does_not_turn_the_words_beside_it) {
   EXPECT_EQ(short_name(body), QStringLiteral("برغي"));
 }
 
+TEST(Format, of_a_name_only_the_ending_of_a_mesh_file_is_left_out) {
+  Body body;
+  const auto shown = [&](const char* name) {
+    body.name = name;
+    return short_name(body);
+  };
+  EXPECT_EQ(shown("M3.5 screw"), QStringLiteral("M3.5 screw"));
+  EXPECT_EQ(shown("M3.5"), QStringLiteral("M3.5"));
+  EXPECT_EQ(shown("M3.5.STL"), QStringLiteral("M3.5"));
+  EXPECT_EQ(shown("/home/v1.2/M3.5 nut.stl"), QStringLiteral("M3.5 nut"));
+  EXPECT_EQ(shown("gear 1:2.5"), QStringLiteral("gear 1:2.5"));
+  EXPECT_EQ(shown("seat 1/2.5"), QStringLiteral("seat 1/2.5"));
+  EXPECT_EQ(shown("pair.v2.stl:12"), QStringLiteral("pair.v2:12")) << "a component of a file";
+  EXPECT_EQ(shown("pair:12"), QStringLiteral("pair:12"));
+}
+
 TEST(Format, lengths_read_well) {
   EXPECT_EQ(LengthUnit(0.05).text(0.0012346), QStringLiteral("1.235 mm"));
   EXPECT_EQ(LengthUnit(5).name(), QStringLiteral("m"));
