@@ -14,7 +14,8 @@ namespace sonde::ui {
 namespace colour {
 inline const QColor probe{233, 125, 37};
 inline const QColor fixed{129, 135, 159};
-inline const QColor ghost{73, 219, 255};  ///< the separated probe and the motion to it
+inline const QColor ghost{73, 219, 255};            ///< the separated probe and the motion to it
+inline const QColor ghost_on_probe{184, 176, 124};  ///< the probe through it, as it is lit
 inline const QColor contact{247, 236, 84};
 inline const QColor force{255, 26, 85};
 inline const QColor torque{200, 110, 255};

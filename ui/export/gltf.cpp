@@ -15,11 +15,10 @@
 #include "engine/text/output_file.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/export/vtk_scene.hpp"
+#include "ui/views/probe_view.hpp"
 
 namespace sonde::ui {
 namespace {
-
-constexpr double ghost_opacity = 0.38;
 
 void add(vtkRenderer& renderer, vtkPolyData& data, const QColor& colour, double opacity = 1) {
   vtkNew<vtkPolyDataMapper> mapper;

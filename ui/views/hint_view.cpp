@@ -16,14 +16,16 @@ namespace {
 
 constexpr int margin = 14;
 constexpr int fade_ms = 600;
-constexpr double least_room = 0.45;  // share of the view that hint and legend leave to the bodies
-constexpr double triad_size = 70;    // pixels
+constexpr double least_room = 0.45;   // share of the view that hint and legend leave to the bodies
+constexpr double triad_size = 70;     // pixels
+constexpr double beside_legend = 36;  // pixels, for the marks and the edges
 constexpr double course_width = 150, course_height = 34;  // pixels
 const QColor plate(14, 17, 21, 165), light_plate(255, 255, 255, 240);
 
 /// A body has its own colour on either background.
 QColor mark_colour(const QColor& colour, const QPalette& palette) {
-  const bool of_body = colour == colour::probe || colour == colour::fixed || colour == colour::cap;
+  const bool of_body = colour == colour::probe || colour == colour::fixed ||
+                       colour == colour::ghost_on_probe || colour == colour::cap;
   return of_body ? colour : readable(colour, palette);
 }
 
@@ -58,6 +60,10 @@ void draw_mark(QPainter& painter, const QRectF& box, const LegendLine& entry,
                                                                          : QPen(colour, 1.2));
   if (mark == LegendMark::ring) return painter.drawEllipse(box);
   painter.drawRoundedRect(box, 2, 2);
+  if (entry.right.isValid()) {
+    const QRectF right(box.center().x(), box.top(), box.width() / 2, box.height());
+    painter.fillRect(right, mark_colour(entry.right, palette));
+  }
   if (mark != LegendMark::mesh && mark != LegendMark::wires) return;
   painter.drawLine(box.topLeft(), box.bottomRight());
   painter.drawLine(box.topRight(), box.bottomLeft());
@@ -199,7 +205,7 @@ QRectF HintView::legend_plate() const {
   double width = 0;
   for (const LegendLine& entry : legend_)
     width = std::max(width, metrics.horizontalAdvance(entry.text));
-  width += 36;
+  width = std::min(width + beside_legend, std::max(0.0, this->width() - 2.0 * margin));
   // Where there is no room beside the ruler, below it.
   const QRectF ruler = ruler_box();
   const bool beside = ruler.isEmpty() || margin + width < ruler.left() - 2 * margin;
@@ -236,7 +242,9 @@ void HintView::draw_legend(QPainter& painter) const {
   for (const LegendLine& entry : legend_) {
     draw_mark(painter, QRectF(margin + 9, y + line / 2 - 4.5, 9, 9), entry, palette());
     painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(QPointF(margin + 27, y + metrics.ascent() + 1), entry.text);
+    const double room = legend_plate().width() - beside_legend;  // the name of a body may be long
+    painter.drawText(QPointF(margin + 27, y + metrics.ascent() + 1),
+                     metrics.elidedText(entry.text, Qt::ElideMiddle, room));
     y += line;
   }
 }

@@ -24,6 +24,7 @@ struct LegendLine {
   QColor colour;
   QString text;
   LegendMark mark = LegendMark::filled;
+  QColor right{};  ///< of the right half of the mark; none: as the left
 };
 
 /// A label, its point on screen, and the line there that it must not cover. Below its text stands

@@ -13,11 +13,6 @@
 #include "ui/views/surface.hpp"
 
 namespace sonde::ui {
-namespace {
-
-constexpr double ghost_opacity = 0.38;
-
-}  // namespace
 
 vtkSmartPointer<vtkActor> body_actor(vtkRenderer& renderer, vtkPolyData& surface,
                                      const QColor& colour, bool solid) {

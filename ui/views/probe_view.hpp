@@ -25,6 +25,9 @@ class ProbeView : public Overlay {
   vtkSmartPointer<vtkActor> actor_;
 };
 
+/// Of whatever shows a probe elsewhere than at the device pose. colour::ghost_on_probe is by it.
+inline constexpr double ghost_opacity = 0.38;
+
 /// The separated probe as a translucent ghost; it may swing between the device pose and its own.
 class GhostView : public Overlay {
  public:

@@ -6,6 +6,7 @@
 
 #include "ui/base/theme.hpp"
 #include "ui/views/scenery.hpp"
+#include "ui/views/surface.hpp"
 
 namespace sonde::ui {
 
@@ -13,9 +14,14 @@ void Viewport::update_legend() {
   const Scenery& s = *scenery_;
   std::vector<LegendLine> legend{{colour::probe, s.descriptions[0]},
                                  {colour::fixed, s.descriptions[1]}};
-  if (shown(Layer::ghost))
-    legend.push_back(
-        {colour::ghost, QStringLiteral("separated probe, as held"), LegendMark::clear});
+  if (shown(Layer::ghost)) {
+    // Where bodies overlap a little, most of the ghost is seen in its other colour.
+    const bool mixes = !has_colours(*s.probe_surface);
+    legend.push_back({colour::ghost,
+                      mixes ? QStringLiteral("separated probe; right: on the probe")
+                            : QStringLiteral("separated probe, as held"),
+                      LegendMark::clear, mixes ? colour::ghost_on_probe : QColor()});
+  }
   if (shown(Layer::nearest))
     legend.push_back({colour::nearest, QStringLiteral("nearest way out"), LegendMark::mesh});
   if (shown(Layer::straight))

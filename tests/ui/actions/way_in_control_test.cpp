@@ -164,7 +164,7 @@ TEST_F(WayInTest, the_map_is_along_the_direction_that_is_wanted) {
   window->seeing().look_from(Vec3::UnitZ(), Vec3::UnitY());
   window->viewport().set_parallel(true);
   find<QPushButton>("map_edge")->click();
-  drag(Qt::LeftButton, window->viewport().on_screen({0.06, 0.049, 0.22}), {0, 0});
+  drag(Qt::LeftButton, window->viewport().on_screen({0.06, 0.045, 0.22}), {0, 0});
   EXPECT_NEAR(std::abs(way().panel().map_wanted().lateral->x()), 1, 1e-6);
   EXPECT_FALSE(find<QPushButton>("map_edge")->isChecked());
   for (const char* number : {"0", "x"}) {

@@ -81,6 +81,14 @@ TEST_F(HintViewTest, hint_and_legend_leave_the_bodies_about_half_of_the_view) {
   EXPECT_EQ(hints->boxes().size(), 3u);
 }
 
+TEST_F(HintViewTest, the_name_of_a_body_may_be_longer_than_the_view_is_wide) {
+  hints->set_legend({{Qt::red, QString(300, 'x') + ", solid"}, {Qt::blue, "contacts"}});
+  const QImage image = sheet();
+  const QRectF plate = hints->boxes()[0];
+  EXPECT_TRUE(QRectF(hints->rect()).contains(plate));
+  EXPECT_GT(plate.width(), 0.8 * hints->width());
+}
+
 /// The longest row of pixels of the text's colour is the bar.
 TEST_F(HintViewTest, the_ruler_is_as_many_pixels_long_as_it_says) {
   hints->set_hint_visible(false);

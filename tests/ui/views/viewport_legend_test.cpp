@@ -4,6 +4,7 @@
 #include <QFontMetricsF>
 
 #include "tests/ui/views/viewport_fixture.hpp"
+#include "ui/base/theme.hpp"
 #include "ui/views/hint_view.hpp"
 
 namespace sonde::ui::test {
@@ -35,6 +36,23 @@ TEST_F(ViewportLegendTest, each_layer_on_show_has_its_lines) {
     view->set_shown(layer, true);
     EXPECT_NEAR(height() - without, count * line(), 1e-6) << int(layer);
   }
+}
+
+/// Reference: what is drawn where the ghost lies over the probe, but for how bright it is lit.
+TEST_F(ViewportLegendTest, the_ghost_is_named_in_the_colour_that_it_has_over_the_probe_too) {
+  Separation& held = now.snapshot.separation;
+  held.status = Status::penetrating;
+  held.device.p = {0, 0, 0.06};
+  held.separated.p = {0, 0, 0.072};
+  view->set_shown(Layer::hint, false);
+  view->set_shown(Layer::ghost, true);
+  look_from({0.01, 0.02, 1});
+  const QImage picture = view->picture();
+  const QColor seen = picture.pixelColor(
+      (view->on_screen({0.01, 0.01, 0.092}) * picture.devicePixelRatio()).toPoint());
+  const QColor& named = colour::ghost_on_probe;
+  EXPECT_NEAR(seen.hslHueF(), named.hslHueF(), 0.02) << seen.name().toStdString();
+  EXPECT_NEAR(seen.greenF() / seen.blueF(), named.greenF() / named.blueF(), 0.1);
 }
 
 TEST_F(ViewportLegendTest, a_cut_has_its_line_and_gaps_have_a_scale_of_their_own) {
