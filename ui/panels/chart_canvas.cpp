@@ -1,58 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/chart_canvas.hpp"
 
-#include <QVTKInteractor.h>
-#include <QVTKOpenGLNativeWidget.h>
 #include <vtkChartXY.h>
-#include <vtkContextActor.h>
+#include <vtkContext2D.h>
 #include <vtkContextScene.h>
-#include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
-#include <vtkRenderer.h>
 
 #include <QEvent>
 #include <QImage>
+#include <QPainter>
 #include <QPalette>
 
 #include "ui/base/theme.hpp"
+#include "ui/panels/painter_device.hpp"
 
 namespace sonde::ui {
 
 struct ChartCanvas::Drawing {
-  explicit Drawing(ChartCanvas& owner) : widget(new QVTKOpenGLNativeWidget(&owner)) {}
-
-  QVTKOpenGLNativeWidget* widget;
-  vtkNew<vtkGenericOpenGLRenderWindow> window;
-  vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkContextActor> actor;
+  vtkNew<vtkContextScene> scene;
+  vtkNew<vtkContext2D> context;
+  vtkNew<PainterDevice> device;
 };
 
-ChartCanvas::ChartCanvas(QWidget* parent)
-    : QWidget(parent), drawing_(std::make_unique<Drawing>(*this)) {
-  Drawing& d = *drawing_;
-  d.widget->setAttribute(Qt::WA_TransparentForMouseEvents);
-  d.widget->setFocusPolicy(Qt::NoFocus);
-  d.widget->setAcceptDrops(false);
-  d.window->SetMultiSamples(0);
-  d.widget->setRenderWindow(d.window);
-  d.widget->interactor()->SetInteractorStyle(nullptr);
-  d.window->AddRenderer(d.renderer);
-  d.renderer->AddActor(d.actor);
-  d.actor->GetScene()->SetRenderer(d.renderer);
+ChartCanvas::ChartCanvas(QWidget* parent) : QWidget(parent), drawing_(std::make_unique<Drawing>()) {
+  setAttribute(Qt::WA_OpaquePaintEvent);
 }
 
 ChartCanvas::~ChartCanvas() = default;
 
-QImage ChartCanvas::picture() const { return drawing_->widget->grabFramebuffer(); }
+void ChartCanvas::draw_on(QPaintDevice& device) const {
+  const double ratio = devicePixelRatioF();
+  const QSize pixels = size() * ratio;
+  QPainter painter(&device);
+  painter.fillRect(rect(), plot_background(palette()));
+  painter.scale(1 / ratio, 1 / ratio);
+  const Drawing& d = *drawing_;
+  d.scene->SetGeometry(pixels.width(), pixels.height());
+  d.device->begin(painter, pixels, font(), ratio);
+  d.context->Begin(d.device);
+  d.scene->Paint(d.context);
+  d.context->End();
+  d.device->end();
+}
 
-vtkContextScene& ChartCanvas::scene() const { return *drawing_->actor->GetScene(); }
+QImage ChartCanvas::picture() const {
+  QImage image(size() * devicePixelRatioF(), QImage::Format_RGB32);
+  image.setDevicePixelRatio(devicePixelRatioF());
+  draw_on(image);
+  return image;
+}
+
+vtkContextScene& ChartCanvas::scene() const { return *drawing_->scene; }
 
 void ChartCanvas::redraw() {
   if (!isVisible()) return;
-  const QColor back = plot_background(palette());
-  drawing_->renderer->SetBackground(back.redF(), back.greenF(), back.blueF());
   arrange(devicePixelRatioF());
-  drawing_->window->Render();
+  update();
 }
 
 void ChartCanvas::place_chart(vtkChartXY& chart, const QRectF& within, double ratio) const {
@@ -60,9 +63,10 @@ void ChartCanvas::place_chart(vtkChartXY& chart, const QRectF& within, double ra
                          float(within.width() * ratio), float(within.height() * ratio)));
 }
 
+void ChartCanvas::paintEvent(QPaintEvent* /*event*/) { draw_on(*this); }
+
 void ChartCanvas::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  drawing_->widget->setGeometry(rect());
   redraw();
 }
 

@@ -7,21 +7,26 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <QLabel>
 #include <QProcess>
+#include <QPushButton>
 #include <QScreen>
 #include <QThread>
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <sstream>
 #include <string>
 
 #include "tests/ui/torus_text.hpp"
 #include "tests/ui/window_fixture.hpp"
+#include "ui/actions/way_in_control.hpp"
 #include "ui/base/freed_memory.hpp"
 #include "ui/base/progress_dialog.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/document/instant.hpp"
+#include "ui/panels/way_in_panel.hpp"
 
 namespace sonde::ui::test {
 namespace {
@@ -244,6 +249,45 @@ TEST_F(Figures, Full_ten_thousand_parts) {
     std::printf("%-22s open in %.2f s, %.2f s of processor\n", name, 1e-3 * double(clock.elapsed()),
                 processor_seconds() - processor);
     std::fflush(stdout);
+  }
+}
+
+/// The longest turn of the event loop, all drawing in it, while each dock is opened for the first
+/// time, and while the first ways in are shown.
+TEST_F(Figures, Full_first_pictures_of_the_docks) {
+  const auto longest_turn = [](const char* what, const std::function<bool()>& done) {
+    double longest = 0;
+    QElapsedTimer all, turn;
+    all.start();
+    bool ended = false;
+    for (double rest = 0; rest < 400;) {  // ms after the end
+      turn.start();
+      QApplication::processEvents(QEventLoop::AllEvents, 0);
+      longest = std::max(longest, 1e-6 * double(turn.nsecsElapsed()));
+      QThread::usleep(500);
+      if (!ended && done()) ended = true, all.restart();
+      rest = ended ? double(all.elapsed()) : 0;
+    }
+    std::printf("%-22s %6.1f ms\n", what, longest);
+    std::fflush(stdout);
+  };
+  open({QStringLiteral(SONDE_RESOURCES "/scenes/peg-in-hole.sonde.json")});
+  settle();
+  const auto now = [] { return true; };
+  longest_turn("nothing", now);
+  for (QDockWidget* dock : window->docks_of_sides()) {
+    dock->show();
+    longest_turn(qPrintable(dock->objectName()), now);
+  }
+  window->way_in().panel().show();
+  for (const char* time : {"first", "second"}) {
+    find<QPushButton>("way_compute")->click();
+    longest_turn((std::string(time) + " way in").c_str(),
+                 [this] { return !find<QLabel>("way_summary")->text().isEmpty(); });
+    type("map_across", "5");
+    find<QPushButton>("map_compute")->click();
+    longest_turn((std::string(time) + " map").c_str(),
+                 [this] { return !window->way_in().map().free.empty(); });
   }
 }
 
