@@ -88,7 +88,7 @@ void Job::poll() {
     return;
   }
   if (stays_back_) {
-    emit progressed(current_->fraction);
+    emit progressed(current_->fraction, 1e-3 * double(current_->since.elapsed()));
     return;
   }
   if (current_->since.elapsed() < patience_ms) return;

@@ -44,8 +44,8 @@ class Job : public QObject {
   void stay_back() { stays_back_ = true; }
 
  signals:
-  /// The fraction done, in the window's thread, of work that stays back.
-  void progressed(double fraction);
+  /// The fraction done, in the window's thread, of work that stays back, and s since its start.
+  void progressed(double fraction, double elapsed);
 
  private:
   struct Task;

@@ -113,7 +113,9 @@ double ClashPanel::within() const { return length_in(*within_, unit_); }
 
 double ClashPanel::allowance() const { return length_in(*allowance_, unit_); }
 
-void ClashPanel::show_progress(std::optional<double> fraction) { work_->show_progress(fraction); }
+void ClashPanel::show_progress(std::optional<double> fraction, double elapsed) {
+  work_->show_progress(fraction, elapsed);
+}
 
 void ClashPanel::show_reason(const QString& reason) { summary_->setText(reason); }
 

@@ -29,7 +29,7 @@ class ClashPanel : public QDockWidget {
   /// m; what is no number, or less than 0, is 0.
   double within() const;
   double allowance() const;
-  void show_progress(std::optional<double> fraction);
+  void show_progress(std::optional<double> fraction, double elapsed = 0);
   /// Found of these parts, at the poses that they had then.
   void show_clashes(const std::vector<AssemblyPart>& parts, const std::vector<Clash>& found);
   void show_reason(const QString& reason);

@@ -241,7 +241,9 @@ void WayInPanel::show_picking(WayPick what) {
     if (picks_.at(i)) picks_.at(i)->setChecked(i == static_cast<std::size_t>(what));
 }
 
-void WayInPanel::show_progress(std::optional<double> fraction) { work_->show_progress(fraction); }
+void WayInPanel::show_progress(std::optional<double> fraction, double elapsed) {
+  work_->show_progress(fraction, elapsed);
+}
 
 void WayInPanel::show_result(const QString& summary, TravelCurves curves) {
   summary_->setText(summary);
@@ -260,8 +262,8 @@ void WayInPanel::show_at(double travel, const QString& words) {
   at_->setText(words);
 }
 
-void WayInPanel::show_map_progress(std::optional<double> fraction) {
-  map_work_->show_progress(fraction);
+void WayInPanel::show_map_progress(std::optional<double> fraction, double elapsed) {
+  map_work_->show_progress(fraction, elapsed);
 }
 
 void WayInPanel::show_map(const QString& words, OffsetMap map) {

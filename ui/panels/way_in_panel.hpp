@@ -57,13 +57,13 @@ class WayInPanel : public QDockWidget {
   void show_side(const Vec3& side);
   /// A click in the view is waited for.
   void show_picking(WayPick what);
-  void show_progress(std::optional<double> fraction);
+  void show_progress(std::optional<double> fraction, double elapsed = 0);
   void show_result(const QString& summary, TravelCurves curves);
   /// Why there is none.
   void show_reason(const QString& reason);
   void show_at(double travel, const QString& words);
   void show_playing(bool on);
-  void show_map_progress(std::optional<double> fraction);
+  void show_map_progress(std::optional<double> fraction, double elapsed = 0);
   /// `words`: about the map, or about the point of it that is chosen.
   void show_map(const QString& words, OffsetMap map);
   void show_map_place(const MapPlace& place, const QString& words);

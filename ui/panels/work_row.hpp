@@ -4,19 +4,21 @@
 #include <QWidget>
 #include <optional>
 
+class QLabel;
 class QProgressBar;
 class QPushButton;
 
 namespace sonde::ui {
 
-/// A button that starts work; while that goes on, how far it is and a button that stops it.
+/// A button that starts work; while that goes on, how far it is, how long it still takes, and a
+/// button that stops it.
 class WorkRow : public QWidget {
   Q_OBJECT
  public:
   /// `object`: the button's name; the other one's is `object` + "_stop".
   WorkRow(const QString& text, const QString& object, QWidget* parent);
-  /// None: nothing goes on.
-  void show_progress(std::optional<double> fraction);
+  /// None: nothing goes on. `elapsed`: s since it began.
+  void show_progress(std::optional<double> fraction, double elapsed = 0);
   void set_startable(bool on);
 
  signals:
@@ -26,6 +28,7 @@ class WorkRow : public QWidget {
  private:
   QPushButton *start_, *stop_;
   QProgressBar* bar_;
+  QLabel* left_;
 };
 
 }  // namespace sonde::ui

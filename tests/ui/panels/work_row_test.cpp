@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 
@@ -28,10 +29,20 @@ TEST(WorkRowTest, work_that_goes_on_can_be_stopped_and_none_can_be_started) {
   EXPECT_FALSE(start->isVisible());
   EXPECT_TRUE(stop->isVisible());
   EXPECT_EQ(bar->value(), bar->maximum() / 4);
+  EXPECT_EQ(bar->text(), "25%");
+  EXPECT_TRUE(bar->isTextVisible());
+  auto* const left = row.findChild<QLabel*>("study_left");
+  EXPECT_FALSE(left->isVisible()) << "the first moments tell little";
+  row.show_progress(0.1, 5);
+  EXPECT_TRUE(left->isVisible());
+  EXPECT_EQ(left->text(), "about 45 s left");
+  row.show_progress(0, 12);
+  EXPECT_EQ(left->text(), "12 s so far, how long it takes is not known yet");
   stop->click();
   row.show_progress({});
   EXPECT_TRUE(start->isVisible());
   EXPECT_FALSE(bar->isVisible());
+  EXPECT_FALSE(left->isVisible());
   row.set_startable(false);
   start->click();
   EXPECT_EQ(started, 1);
