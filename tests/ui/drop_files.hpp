@@ -14,7 +14,8 @@ namespace sonde::ui::test {
 inline bool drop_files(QWidget& onto, const QStringList& files) {
   QMimeData data;
   QList<QUrl> urls;
-  for (const QString& file : files) urls.push_back(QUrl::fromLocalFile(file));
+  for (const QString& file : files)
+    urls.push_back(file.contains("://") ? QUrl(file) : QUrl::fromLocalFile(file));
   data.setUrls(urls);
   QDragEnterEvent enter({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(&onto, &enter);

@@ -72,10 +72,6 @@ bool DocumentControl::is_one_mesh(const QStringList& files) {
 
 void DocumentControl::drop(const QStringList& files) {
   const bool meshes = std::ranges::none_of(files, is_scene);
-  if (document_.empty() && is_one_mesh(files)) {
-    ask_meshes(files[0]);
-    return;
-  }
   if (document_.empty() || !meshes) return open(files, std::nullopt);
   const QString name = files.size() == 1 ? QFileInfo(files[0]).fileName()
                                          : QStringLiteral("%1 meshes").arg(files.size());

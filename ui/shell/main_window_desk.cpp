@@ -98,12 +98,21 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  QStringList files;
-  for (const QUrl& url : event->mimeData()->urls()) files.push_back(url.toLocalFile());
+  QStringList files, others;
+  for (const QUrl& url : event->mimeData()->urls())
+    (url.isLocalFile() ? files : others)
+        << (url.isLocalFile() ? url.toLocalFile() : url.toDisplayString());
   event->acceptProposedAction();
   // Whoever drops is still holding a drag: answer it first, then ask and open.
-  QTimer::singleShot(0, this, [this, files] {
-    if (!open_recording(files)) documents_->drop(files);
+  QTimer::singleShot(0, this, [this, files, others] {
+    if (!others.isEmpty())
+      return complain(QStringLiteral("Only files of this machine are opened. Save what is behind "
+                                     "the link first: %1")
+                          .arg(others[0]));
+    if (open_recording(files)) return;
+    if (documents_->document().empty() && DocumentControl::is_one_mesh(files))
+      return open_one_mesh(files[0]);
+    documents_->drop(files);
   });
 }
 

@@ -9,6 +9,7 @@
 #include "engine/queries/body_queries.hpp"
 #include "engine/scene/scene.hpp"
 #include "tests/ui/actions/parts_fixture.hpp"
+#include "tests/ui/drop_files.hpp"
 #include "ui/actions/document_control.hpp"
 #include "ui/actions/seeing_control.hpp"
 #include "ui/panels/parts_panel.hpp"
@@ -98,6 +99,45 @@ TEST_F(PartsControlTest, meshes_that_are_dragged_here_become_parts_of_one_mesh_t
   EXPECT_EQ(rows->topLevelItemCount(), 1);
   act("swap_bodies");
   ASSERT_TRUE(test::wait_until([this] { return fixed().parts.size() == 3; }));
+}
+
+TEST_F(PartsControlTest, files_that_are_dragged_here_are_parts_or_a_reason_and_what_is_open_stays) {
+  int asked = 0, asked_for = 0;
+  window->prompts().ask_role = [&](const QString&, int meshes) {
+    ++asked;
+    asked_for = meshes;
+    return std::optional(Role::parts);
+  };
+  const auto names = [this] {
+    QStringList out;
+    for (int i = 0; i < rows->topLevelItemCount(); ++i) out << rows->topLevelItem(i)->text(name);
+    return out.join('|');
+  };
+  test::drop_files(*window, {path("open.off"), path("open.off")});
+  ASSERT_TRUE(steps(1));
+  EXPECT_EQ(names(), "left|middle|right|open.off|open.off (2)") << "twice the same";
+  test::drop_files(*window, {path("open.off"), path("cube.off"), path("large.off")});
+  ASSERT_TRUE(steps(2));
+  EXPECT_EQ(asked_for, 3);
+  EXPECT_EQ(names(), "left|middle|right|open.off|open.off (2)|open.off (3)|cube.off|large.off");
+  folder.write("bad.stl", "solid nothing\n");
+  folder.write("no mesh.txt", "");
+  for (const QStringList& bad :
+       {QStringList{path("bad.stl")}, QStringList{path("gone.ply")},
+        QStringList{path("no mesh.txt")}, QStringList{path("cube.off"), path("bad.stl")}}) {
+    complaints.clear();
+    test::drop_files(*window, bad);
+    ASSERT_TRUE(test::wait_until([this] { return !complaints.empty(); })) << bad[0].toStdString();
+    EXPECT_TRUE(complaints[0].contains(QFileInfo(bad.last()).fileName()));
+    EXPECT_EQ(document().stack().count(), 2);
+    EXPECT_EQ(rows->topLevelItemCount(), 8);
+  }
+  const int before = asked;
+  complaints.clear();
+  test::drop_files(*window, {"http://example.org/part.stl"});
+  ASSERT_TRUE(test::wait_until([this] { return !complaints.empty(); }));
+  EXPECT_TRUE(complaints[0].contains("example.org")) << complaints[0].toStdString();
+  EXPECT_EQ(asked, before) << "nobody is asked what a link is to be";
 }
 
 // Reference: as many cubes as there are parts.
