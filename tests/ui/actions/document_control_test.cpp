@@ -116,6 +116,8 @@ TEST_F(DocumentControlTest, new_leads_to_the_start_page_and_that_to_a_scene) {
   auto* tile = window->findChild<QToolButton*>("gallery_linked-tori");
   ASSERT_TRUE(tile);
   EXPECT_FALSE(tile->icon().isNull());
+  // A page that was just presented is laid out by the event loop, before anybody can click.
+  ASSERT_TRUE(wait_until([tile] { return tile->height() > tile->iconSize().height(); }));
   QTest::mouseClick(tile, Qt::LeftButton);
   ASSERT_TRUE(wait_until([this] { return opened == 2; }))
       << failed << " failed, " << (complaints.empty() ? "" : complaints[0].toStdString());
@@ -143,6 +145,22 @@ class DropOnDocument : public DocumentTest {
  protected:
   void drop(const QStringList& files) { drop_files(*window, files); }
 };
+
+TEST_F(DropOnDocument, of_one_mesh_on_the_start_page_it_is_read_before_the_other_is_asked_for) {
+  act("new");
+  int asked = 0;
+  window->prompts().ask_meshes = [&](const QString&) {
+    ++asked;
+    return std::optional<std::pair<QString, QString>>();
+  };
+  folder.write("bad.stl", "solid nothing\n");
+  const int before = failed;
+  drop({path("bad.stl")});
+  ASSERT_TRUE(wait_until([&] { return failed > before; }));
+  EXPECT_EQ(asked, 0);
+  drop({path("cube.off")});
+  EXPECT_TRUE(wait_until([&] { return asked == 1; }));
+}
 
 TEST_F(DropOnDocument, one_mesh_takes_the_place_of_a_body) {
   folder.write("other.off", cube(0.05));

@@ -5,10 +5,15 @@
 
 #include <QPushButton>
 #include <QTreeWidget>
+#include <functional>
+#include <string>
+#include <vector>
 
 #include "engine/queries/body_queries.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/scene/write_scene.hpp"
 #include "tests/ui/actions/parts_fixture.hpp"
+#include "ui/document/pose_text.hpp"
 
 namespace sonde::ui::test {
 namespace {
@@ -157,6 +162,54 @@ TEST_F(PartCommandsTest, one_part_is_felt_and_one_remains) {
   act("undo");
   EXPECT_TRUE(wait_until([this] { return rows->topLevelItemCount() == 3; }));
   EXPECT_EQ(document().content().scene.fixed.parts.size(), 3u);
+}
+
+// Reference: the document as text, and the probe's pose, as they were before and after each.
+TEST_F(PartCommandsTest, whatever_was_done_to_parts_comes_back_and_is_done_again) {
+  DocumentControl& documents = window->documents();
+  folder.write("two.off", two_cubes());
+  const auto as_text = [this] {
+    return scene_text(document().content().scene, "/") + pose_text(document().content().here);
+  };
+  const std::vector<std::function<void()>> actions{
+      [&] { documents.add_parts({path("two.off")}); },
+      [&] { documents.rename_part(3, QString::fromUtf8("дуга M3.5")); },
+      [&] { documents.set_part_colour(3, "#20c020"); },
+      [&] { documents.take_apart(3); },
+      [&] { documents.set_part_shown(4, false); },
+      [&] { documents.set_part_felt(1, false); },
+      [&] {
+        documents.place({Quat::Identity(), Vec3(0.3, 0.1, 0.2)}, "there");
+      },
+      [&] { documents.remove_part(0); },
+      [&] { documents.swap_bodies(); },
+      [&] { documents.set_part_colour(0, "#2020c0"); },
+      [&] { documents.swap_bodies(); },
+  };
+  std::vector<std::string> texts{as_text()};
+  for (const auto& action : actions) {
+    action();
+    ASSERT_TRUE(steps(int(texts.size()))) << texts.size();
+    texts.push_back(as_text());
+    EXPECT_NE(texts.back(), texts[texts.size() - 2]) << texts.size();
+  }
+  const auto expect_state = [&](std::size_t k) {
+    ASSERT_TRUE(steps(int(k)));
+    EXPECT_EQ(as_text(), texts[k]) << k;
+  };
+  for (int round = 0; round < 2; ++round) {
+    for (std::size_t k = actions.size(); k-- > 0;) {
+      act("undo");
+      expect_state(k);
+    }
+    EXPECT_FALSE(document().modified());
+    for (std::size_t k = 1; k <= actions.size(); ++k) {
+      act("redo");
+      expect_state(k);
+    }
+  }
+  EXPECT_EQ(part(2).name, "дуга M3.5:1");
+  EXPECT_TRUE(complaints.empty()) << complaints[0].toStdString();
 }
 
 TEST_F(PartCommandsTest, what_is_no_part_is_left_alone) {
