@@ -36,11 +36,11 @@ void ChartCanvas::draw_on(QPaintDevice& device) const {
   painter.scale(1 / ratio, 1 / ratio);
   const Drawing& d = *drawing_;
   d.scene->SetGeometry(pixels.width(), pixels.height());
-  d.device->begin(painter, pixels, font(), ratio);
+  d.device->paint_on(painter, pixels, font(), ratio);
   d.context->Begin(d.device);
   d.scene->Paint(d.context);
   d.context->End();
-  d.device->end();
+  d.device->let_go();
 }
 
 QImage ChartCanvas::picture() const {

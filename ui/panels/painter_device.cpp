@@ -62,7 +62,8 @@ QImage image_of(vtkImageData& image) {
 
 vtkStandardNewMacro(PainterDevice);
 
-void PainterDevice::begin(QPainter& painter, const QSize& size, const QFont& font, double ratio) {
+void PainterDevice::paint_on(QPainter& painter, const QSize& size, const QFont& font,
+                             double ratio) {
   painter_ = &painter;
   this->Geometry[0] = size.width();
   this->Geometry[1] = size.height();
@@ -74,7 +75,7 @@ void PainterDevice::begin(QPainter& painter, const QSize& size, const QFont& fon
   painter.setRenderHint(QPainter::Antialiasing);
 }
 
-void PainterDevice::end() { painter_ = nullptr; }
+void PainterDevice::let_go() { painter_ = nullptr; }
 
 QPointF PainterDevice::placed(float x, float y) const {
   const QPointF at = to_device_.map(QPointF(x, y));

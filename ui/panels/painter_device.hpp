@@ -22,10 +22,11 @@ class PainterDevice : public vtkContextDevice2D {
   static PainterDevice* New();
   vtkTypeMacro(PainterDevice, vtkContextDevice2D);
 
-  /// Everything up to end() goes to that painter, whose unit is one device pixel. VTK's y is from
-  /// below `high` up. `font`: the family of all text; `ratio` device pixels are one of its pixels.
-  void begin(QPainter& painter, const QSize& size, const QFont& font, double ratio);
-  void end();
+  /// Everything up to let_go() goes to that painter, whose unit is one device pixel. VTK's y is
+  /// from below `high` up. `font`: the family of all text; `ratio` device pixels are one of its
+  /// pixels.
+  void paint_on(QPainter& painter, const QSize& size, const QFont& font, double ratio);
+  void let_go();
 
   void DrawPoly(float* points, int n, unsigned char* colors, int components) override;
   void DrawLines(float* points, int n, unsigned char* colors, int components) override;

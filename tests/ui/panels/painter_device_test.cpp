@@ -29,7 +29,7 @@ class PainterDeviceTest : public testing::Test {
     need_application();
     sheet.fill(Qt::white);
     painter = std::make_unique<QPainter>(&sheet);
-    device->begin(*painter, sheet.size(), QFont(), 1);
+    device->paint_on(*painter, sheet.size(), QFont(), 1);
     context->Begin(device);
     context->GetPen()->SetColor(255, 0, 0);
     context->GetPen()->SetWidth(1);
@@ -37,7 +37,7 @@ class PainterDeviceTest : public testing::Test {
   }
   void TearDown() override {
     context->End();
-    device->end();
+    device->let_go();
   }
   bool is(const QColor& colour, int x, int y_from_below) const {
     return sheet.pixelColor(x, 79 - y_from_below) == colour;
