@@ -143,7 +143,7 @@ void CouplingPanel::show_origin(std::function<QString(const Coupling&)> words) {
   show_values();
 }
 
-void CouplingPanel::show_rendered(const std::optional<Coupling>& instead) {
+void CouplingPanel::show_rendered(const std::optional<GainGlide::Blend>& instead) {
   waiting_->setVisible(instead.has_value());
   if (!instead) return;
   waiting_->setText(in_colour(

@@ -30,7 +30,7 @@ class CouplingPanel : public QDockWidget {
   /// What to say of the gains that are set: asked with every change of them.
   void show_origin(std::function<QString(const Coupling&)> words);
   /// These gains are felt, for those set wait; none: those set are.
-  void show_rendered(const std::optional<Coupling>& instead);
+  void show_rendered(const std::optional<GainGlide::Blend>& instead);
   const Coupling& coupling() const { return coupling_; }
 
   /// Changes the gains as a slider does; `what` names the change for whoever undoes it.

@@ -12,4 +12,13 @@ QString gains_text(const Coupling& gains) {
   return QStringLiteral("k_t %1 N/m\nk_r %2 N·m/rad").arg(number(gains.k_t), number(gains.k_r));
 }
 
+QString gains_text(const GainGlide::Blend& gains) {
+  if (gains.share >= 1) return gains_text(gains.now);
+  const auto part = [](double share, const Coupling& of) {
+    return QStringLiteral("%1 % of ").arg(number(100 * share)) + gains_text(of);
+  };
+  return part(1 - gains.share, gains.before) + QStringLiteral("\nand ") +
+         part(gains.share, gains.now);
+}
+
 }  // namespace sonde::ui

@@ -28,7 +28,7 @@ void LastSecond::add(const Snapshot& tick) {
   const auto& device = tick.hand.device;
   capped_ = tick.hand.capped;
   waiting_ = tick.hand.waiting;
-  rendered_ = tick.coupling;
+  rendered_ = tick.hand.gains;
   device_ = device && device->force ? device : std::nullopt;
   ticks_.push_back({tick.time, {X_FM.q, X_FM * com_}, tick.wrench, tick.hand.energy.given});
   while (ticks_.front().time < tick.time - span) ticks_.pop_front();

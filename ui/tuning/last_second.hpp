@@ -19,7 +19,7 @@ struct Buzz {
   double energy = 0;  ///< J, net work on the hand; below zero where the hand gave it
   // Of the last tick: see HandState.
   bool capped = false, waiting = false;
-  Coupling rendered = {};  ///< those set, unless they wait
+  GainGlide::Blend rendered = {};  ///< those set, unless they wait
 };
 
 /// Collects the ticks of the last second of one probe, in order, for these figures.
@@ -47,7 +47,7 @@ class LastSecond {
   double length_ = 0;                   ///< m, as in press_and_hold
   std::deque<Tick> ticks_;
   bool capped_ = false, waiting_ = false;
-  Coupling rendered_;
+  GainGlide::Blend rendered_;
 };
 
 }  // namespace sonde::ui

@@ -34,6 +34,8 @@ void GainGlide::set(const Coupling& wanted) noexcept {
 const GainGlide::Blend& GainGlide::next(double dt, double most) noexcept {
   if (there_) return blend_;
   const double step = dt > 0 ? dt : 0;
+  const bool held = step > 0 && !(most > 0);
+  if (held && next_) turn_back();
   share_ += std::min(time_ > 0 ? step / time_ : 1, most);
   there_ = share_ >= 1 - 1e-12;  // within rounding of the last step
   blend_ = {.now = to_, .before = to_};
@@ -43,6 +45,11 @@ const GainGlide::Blend& GainGlide::next(double dt, double most) noexcept {
     blend_.now.*limit = std::min(blend_.now.*limit, (*next_).*limit);
   if (there_) set(*std::exchange(next_, std::nullopt));
   return blend_;
+}
+
+void GainGlide::turn_back() noexcept {
+  std::swap(from_, to_);
+  share_ = 1 - share_;
 }
 
 void GainGlide::blend(double share) noexcept {

@@ -13,7 +13,8 @@ namespace sonde {
 /// damped mode without damping. The gains of the classic mode have other meanings. So in a change
 /// to it or from it, the wrench is blended, in the same time, from that of the old mode to that of
 /// the new one. Other changes during that time wait for its end, except falling limits. A caller
-/// may slow the glide down, so that the force does not change faster than a hand can resist.
+/// may slow the glide down, so that the force does not change faster than a hand can resist, and
+/// hold it. A change of mode that is held goes back where another change waits for it.
 class GainGlide {
  public:
   struct Blend {
@@ -30,7 +31,7 @@ class GainGlide {
   void restart(const Coupling& coupling) noexcept;
   /// Starts a glide from the present gains; the newest call wins.
   void set(const Coupling& wanted) noexcept;
-  /// The gains dt (s) later. The step makes at most `most` of the whole glide, a share.
+  /// The gains dt (s) later. The step makes at most `most` of the whole glide, a share; 0 holds it.
   const Blend& next(double dt, double most = 1) noexcept;
   /// The start and the end of the glide; equal if there is none.
   const Coupling& from() const noexcept { return there_ ? to_ : from_; }
@@ -40,6 +41,7 @@ class GainGlide {
 
  private:
   void blend(double share) noexcept;
+  void turn_back() noexcept;
 
   double time_;
   double share_ = 0;  ///< share of the glide that is done

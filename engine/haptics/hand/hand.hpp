@@ -6,35 +6,11 @@
 
 #include "engine/geometry/pose.hpp"
 #include "engine/haptics/coupling/coupling.hpp"
+#include "engine/haptics/hand/device_traits.hpp"
 
 namespace sonde {
 
 struct HandTrial;
-
-/// Known properties of the device in the hand, as felt at the probe.
-struct DeviceTraits {
-  double damping = 0;  ///< N·s/m, of the mechanism
-  double delay = 0;    ///< s, from command to motors
-  /// Largest ratio of the probe's displacement to the hand's; 0: no force can make this hand run
-  /// away (Runaway).
-  double ratio = 1;
-  double turn_ratio = 1;  ///< the same for rotation
-  // Largest virtual damping that its driver allows; 0: unknown.
-  double max_damping = 0;             ///< N·s/m
-  double max_rotational_damping = 0;  ///< N·m·s/rad
-  double rotational_damping = 0;      ///< N·m·s/rad, of the mechanism; 0 if no motor turns it
-  // Largest stiffness that its maker states; 0: unknown.
-  double max_stiffness = 0;             ///< N/m
-  double max_rotational_stiffness = 0;  ///< N·m/rad
-  // Largest output of its motors; 0: unknown, or none.
-  double max_force = 0;   ///< N
-  double max_torque = 0;  ///< N·m
-  // Inertia that moves with the handle; 0: unknown.
-  double mass = 0;     ///< kg
-  double inertia = 0;  ///< kg·m²
-  /// False: the device has no motors, so no force moves it.
-  bool force = true;
-};
 
 /// The input of the hand in one tick.
 struct HandSample {

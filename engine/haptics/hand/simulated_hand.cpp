@@ -21,15 +21,7 @@ SimulatedHand::SimulatedHand(const SimulatedDeviceParameters& parameters, double
                              double scaling, const Vec3& com, const Pose& X_FM)
     : parameters_(parameters),
       scaling_(scaling),
-      traits_{.damping = parameters.translation.damping,
-              .delay = parameters.delay,
-              .max_damping = parameters.translation.most_virtual_damping,
-              .max_rotational_damping = parameters.rotation.most_virtual_damping,
-              .rotational_damping = parameters.rotation.limit > 0 ? parameters.rotation.damping : 0,
-              .max_stiffness = parameters.translation.most_stiffness,
-              .max_rotational_stiffness = parameters.rotation.most_stiffness,
-              .max_force = parameters.translation.limit,
-              .max_torque = parameters.rotation.limit},
+      traits_(traits_of(parameters)),
       com_(com),
       pace_{SimulatedDevice(parameters, period, to_device(X_FM)), share_of(period),
             parameters.translation.inertia, parameters.rotation.inertia},
@@ -93,17 +85,12 @@ HandSample SimulatedHand::sample() noexcept {
     pace_.device.step(command_, to_device(hand_));
   }
   begun_ = true;
-  // The power b v² is the same at both ends, and velocities are `scaling` times greater at the
-  // probe.
   DeviceTraits at_probe = traits_;
+  at_probe.mass = pace_.mass;
+  at_probe.inertia = pace_.inertia;
+  at_probe = traits_at_probe(at_probe, scaling_, 1);
   at_probe.turn_ratio = 0;
   at_probe.ratio = 0;  // it follows the mouse, however fast that moves
-  at_probe.damping /= scaling_ * scaling_;
-  at_probe.max_damping /= scaling_ * scaling_;
-  at_probe.max_stiffness /= scaling_ * scaling_;
-  at_probe.max_force /= scaling_;
-  at_probe.mass = pace_.mass / (scaling_ * scaling_);
-  at_probe.inertia = pace_.inertia;
   return {.X_FM = to_probe(pace_.device.measured()), .device = at_probe};
 }
 

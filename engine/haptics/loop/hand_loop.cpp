@@ -216,6 +216,7 @@ void HandLoop::set_change_rate(const HandSample& sample) noexcept {
 
 void HandLoop::set_coupling(const GainGlide::Blend& blend) noexcept {
   GainGlide::Blend taken = blend;
+  out_.hand.gains = blend;
   out_.hand.capped = false;
   if (device_) {
     const BorneGains most = borne_by_device(*device_);

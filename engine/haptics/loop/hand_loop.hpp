@@ -34,6 +34,7 @@ struct HandState {
   /// The gains wait for the end of this contact, because an estimate says they would be unstable in
   /// it.
   bool waiting = false;
+  GainGlide::Blend gains = {};              ///< in use, before any is reduced
   bool held = true;                         ///< false: the clutch is open
   std::optional<DeviceTraits> device = {};  ///< the device that holds the probe, if known
   HandEnergy energy;
@@ -69,7 +70,7 @@ class HandLoop {
 
   /// The share of a glide to other gains that a step of `dt` (s) may make in the present contact,
   /// if the hand is on a known device: see ChangeRate. Gains stiffer than stable_by_estimate() wait
-  /// until the contact ends.
+  /// until the contact ends, in a change of mode too: see share_of_way().
   double most_of_glide(const GainGlide& glide, double dt) noexcept;
 
   void set_rate(double rate_hz) noexcept;

@@ -28,6 +28,31 @@ double largest_k(const BorneGains& most, const MassProperties& mass) {
   return largest_of_both(most.translation, most.rotation, mass);
 }
 
+/// The most that is felt of the gains of any mode.
+struct FeltGains {
+  double k_t = 0, k_r = 0;  // N/m, N·m/rad
+  double b_t = 0, b_r = 0;  // N·s/m, N·m·s/rad
+};
+
+FeltGains felt(const Coupling& c, const MassProperties& mass) {
+  if (!in_object_norm(c.mode)) return {c.k_t, c.k_r, c.b_t, c.b_r};
+  const double b = c.mode == Coupling::Mode::damped ? c.b_t : 0;
+  return {c.k, c.k * felt_turn(mass), b, b * felt_turn(mass)};
+}
+
+DeviceTraits as_assumed(const DeviceTraits& device) {
+  const auto scale = [](double ratio) { return ratio > 0 ? ratio : 1; };
+  const DeviceTraits least =
+      traits_at_probe(assumed_traits(), scale(device.ratio), scale(device.turn_ratio));
+  DeviceTraits out = device;
+  out.damping = least.damping;
+  out.delay = least.delay;
+  out.mass = least.mass;
+  out.inertia = least.inertia;
+  if (device.max_torque > 0) out.rotational_damping = least.rotational_damping;
+  return out;
+}
+
 double capped(double wanted, double most) { return most > 0 ? std::min(wanted, most) : wanted; }
 
 /// By how much a stiffness is above its limit before a change, and after the whole of it.
@@ -51,20 +76,30 @@ double most_object_damping(const BorneGains& most, const MassProperties& mass) n
   return largest_of_both(most.damping, most.rotational_damping, mass);
 }
 
+DeviceTraits assumed_traits() noexcept {
+  DeviceTraits least;
+  least.damping = 0.2;
+  least.delay = 1e-3;
+  least.rotational_damping = 1e-4;
+  least.mass = 0.05;
+  least.inertia = 5e-5;
+  return least;
+}
+
 BorneGains stable_by_estimate(const DeviceTraits& device, double sample_time,
                               const Coupling& coupling, const MassProperties& mass) noexcept {
-  const double late = sample_time / 2 + device.delay;
-  if (!(device.damping > 0) || !(late > 0)) return {};
-  Coupling taken = borne(coupling, borne_by_device(device), mass);
-  if (in_object_norm(taken.mode)) taken.b_r = taken.b_t * felt_turn(mass);
-  if (taken.mode == Coupling::Mode::object) taken.b_t = taken.b_r = 0;
+  const DeviceTraits handle = device.known ? device : as_assumed(device);
+  const double period = std::max(sample_time, handle.period);
+  const double late = period / 2 + handle.delay;
+  if (!handle.force || !(late > 0)) return {};
+  const FeltGains taken = felt(borne(coupling, borne_by_device(device), mass), mass);
   const auto counted = [&](double damping, double inertia) {
-    return std::min(damping, counted_damping * inertia / (sample_time + device.delay));
+    return std::min(damping, counted_damping * inertia / (period + handle.delay));
   };
-  BorneGains out{(device.damping + light_hand + counted(taken.b_t, device.mass)) / late};
-  if (device.mass > 0 && device.inertia > 0 && device.rotational_damping > 0)
-    out.rotation = (device.rotational_damping + light_hand * device.inertia / device.mass +
-                    counted(taken.b_r, device.inertia)) /
+  BorneGains out{(handle.damping + light_hand + counted(taken.b_t, handle.mass)) / late};
+  if (handle.mass > 0 && handle.inertia > 0 && handle.rotational_damping > 0)
+    out.rotation = (handle.rotational_damping + light_hand * handle.inertia / handle.mass +
+                    counted(taken.b_r, handle.inertia)) /
                    late;
   return out;
 }
@@ -90,14 +125,11 @@ bool is_reduced(const Coupling& borne, const Coupling& wanted) noexcept {
 
 double share_of_way(const GainGlide& glide, const DeviceTraits& device, double sample_time,
                     const MassProperties& mass) noexcept {
-  const Coupling &from = glide.from(), &to = glide.to();
-  if (in_object_norm(from.mode) != in_object_norm(to.mode)) return 1;
-  const BorneGains before = stable_by_estimate(device, sample_time, from, mass);
-  const BorneGains after = stable_by_estimate(device, sample_time, to, mass);
-  // On the way the limit is the lesser of two straight lines, so at no point is it below the
-  // straight line between its ends.
-  if (in_object_norm(to.mode))
-    return share_up_to(from.k, largest_k(before, mass), to.k, largest_k(after, mass));
+  const FeltGains from = felt(glide.from(), mass), to = felt(glide.to(), mass);
+  const BorneGains before = stable_by_estimate(device, sample_time, glide.from(), mass);
+  const BorneGains after = stable_by_estimate(device, sample_time, glide.to(), mass);
+  // What is felt is on the straight line between its ends, in a blend of two modes too. The limit
+  // is the lesser of two straight lines, so at no point is it below the one between its ends.
   return std::min(share_up_to(from.k_t, before.translation, to.k_t, after.translation),
                   share_up_to(from.k_r, before.rotation, to.k_r, after.rotation));
 }

@@ -22,12 +22,17 @@ BorneGains borne_by_device(const DeviceTraits& device) noexcept;
 /// is up to 1.2 b_t Î.
 double most_object_damping(const BorneGains& most, const MassProperties& mass) noexcept;
 
+/// What is assumed of the damping, delay and inertia of a device of which they are not known, at
+/// its handle: of each the least, and of the delay the most, of the profiles that ship.
+DeviceTraits assumed_traits() noexcept;
+
 /// The stiffness at which a sampled virtual wall rendered on this handle begins to oscillate along
 /// one axis, held by the lightest hand that a stability study considers: K (T/2 + t_d) = b, with b
 /// the damping of mechanism, hand and coupling (of that at most m/(T + t_d)/6, with m the inertia;
-/// 0 if it is unknown, since a damper may be too much for a light handle). Translation and rotation
-/// are treated separately, so it is an estimate, and no replacement for a study. Unknown if the
-/// device's damping is unknown.
+/// 0 if it is unknown, since a damper may be too much for a light handle). T is the time between
+/// the device's reports, where that is longer than a tick. Translation and rotation are treated
+/// separately, so it is an estimate, and no replacement for a study. For an unknown device:
+/// of assumed_traits().
 BorneGains stable_by_estimate(const DeviceTraits& device, double sample_time,
                               const Coupling& coupling, const MassProperties& mass) noexcept;
 
@@ -40,7 +45,9 @@ bool is_reduced(const Coupling& borne, const Coupling& wanted) noexcept;
 
 /// The share of the change from old gains to new ones that is allowed in all: as much as leaves
 /// every stiffness at or below stable_by_estimate, which the damping changes with it, or no further
-/// above it than before. 1 if the change is to the classic mode or from it.
+/// above it than before. In a change to the classic mode or from it, the wrench is blended, so the
+/// spring that is felt is at most the sum of both springs, each with its share; and so is the
+/// damper.
 double share_of_way(const GainGlide& glide, const DeviceTraits& device, double sample_time,
                     const MassProperties& mass) noexcept;
 

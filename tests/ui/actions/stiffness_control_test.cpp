@@ -172,7 +172,7 @@ TEST_F(StiffnessTest, gains_beyond_what_the_device_bears_wait_and_the_dock_says_
   // What is felt is told apart from what waits, where the gains are set and in the view.
   EXPECT_EQ(find<QLabel>("gains_waiting")->isHidden(), !after.waiting);
   EXPECT_EQ(stiffness().note().text.contains("the gains set wait"), after.waiting);
-  EXPECT_TRUE(!after.waiting || after.rendered.k < 40'000) << after.rendered.k;
+  EXPECT_TRUE(!after.waiting || after.rendered.now.k < 40'000) << after.rendered.now.k;
   EXPECT_TRUE(text("energy_value").endsWith("mJ"));
 }
 

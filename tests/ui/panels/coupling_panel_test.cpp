@@ -58,11 +58,19 @@ TEST_F(CouplingPanelTest, the_mode_shows_its_own_gains) {
 
 TEST_F(CouplingPanelTest, what_is_felt_is_told_apart_from_what_waits) {
   EXPECT_FALSE(shows("gains_waiting"));
-  Coupling felt;
-  felt.k = 345;
+  GainGlide::Blend felt;
+  felt.now.k = 345;
   panel->show_rendered(felt);
   EXPECT_TRUE(shows("gains_waiting"));
   EXPECT_TRUE(find<QLabel>("gains_waiting")->text().contains("Felt now: k 345 N/m"));
+  felt.before = felt.now;
+  felt.now.mode = Coupling::Mode::classic;
+  felt.share = 0.25;  // of a change of mode that is held
+  panel->show_rendered(felt);
+  EXPECT_TRUE(find<QLabel>("gains_waiting")
+                  ->text()
+                  .contains("Felt now: 75 % of k 345 N/m, and 25 % of k_t 500 N/m"))
+      << find<QLabel>("gains_waiting")->text().toStdString();
   panel->show_rendered({});
   EXPECT_FALSE(shows("gains_waiting"));
 }

@@ -140,7 +140,7 @@ TEST_F(StiffnessPanelTest, the_last_second_has_its_figures_and_what_is_wrong_in_
   EXPECT_TRUE(text("chatter_value").contains("0.250 N at 90.0 Hz, buzzing"));
   EXPECT_TRUE(text("rendered_gains").contains("as much as the device bears"));
   buzz.waiting = true;
-  buzz.rendered.k = 345;
+  buzz.rendered.now.k = 345;
   panel->show_buzz(buzz, 5);
   EXPECT_TRUE(text("rendered_gains").contains("unstable in this contact"));
   EXPECT_TRUE(text("rendered_gains").contains("k 345 N/m; those set wait"));

@@ -121,6 +121,26 @@ TEST(GainGlide, modes_changed_in_quick_succession_do_not_make_the_wrench_step) {
   EXPECT_GT(largest, 0.99e-2);
 }
 
+TEST(GainGlide, a_change_of_mode_that_is_held_goes_back_for_a_newer_wish) {
+  GainGlide glide(gains(500), 0.1);
+  Coupling stiff = gains(500), softer = gains(100);
+  stiff.mode = Coupling::Mode::classic;
+  stiff.k_t = 9000;
+  glide.set(stiff);
+  glide.next(0.03);
+  const GainGlide::Blend held = glide.next(1e-3, 0);
+  EXPECT_NEAR(held.share, 0.3, 1e-12);
+  EXPECT_EQ(held.before.k, 500);
+  glide.set(softer);
+  const GainGlide::Blend back = glide.next(1e-3, 0);  // no step yet, and the same wrench
+  EXPECT_NEAR(back.share, 0.7, 1e-12);
+  EXPECT_EQ(back.before.k_t, 9000);
+  EXPECT_EQ(back.now.k, 500);
+  for (int tick = 0; tick < 150; ++tick) glide.next(1e-3);
+  EXPECT_EQ(glide.next(1e-3).share, 1);
+  EXPECT_EQ(glide.next(1e-3).now.k, 100);
+}
+
 TEST(GainGlide, a_limit_that_falls_does_not_wait_for_the_other_mode) {
   GainGlide glide(gains(500), 0.1);
   Coupling classic = gains(500), careful = gains(500);

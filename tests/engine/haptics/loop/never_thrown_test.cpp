@@ -106,7 +106,7 @@ class Pressed {
   void run(double time) {
     for (int i = 0; i < int(time / dt); ++i) {
       const GainGlide::Blend& blend = glide_.next(dt, bench_.loop.most_of_glide(glide_, dt));
-      gains_ = blend.now;
+      gains_ = blend;
       bench_.loop.set_coupling(blend);
       HandSample sample{.X_FM = device_.measured(), .device = traits_};
       sample.device->ratio = ratio_;
@@ -119,7 +119,8 @@ class Pressed {
       move(on_hand);
     }
   }
-  const Coupling& gains() const { return gains_; }
+  const Coupling& gains() const { return gains_.now; }
+  const GainGlide::Blend& blend() const { return gains_; }
   void leave() { target_ = at_depth(-0.02); }
   double fastest() const { return fastest_; }
   double pushed() const { return pushed_; }
@@ -144,7 +145,7 @@ class Pressed {
   GainGlide glide_;
   HandLoopBench bench_;
   Pose target_;
-  Coupling gains_;
+  GainGlide::Blend gains_;
   double fastest_ = 0, pushed_ = 0, highest_ = -1;
 };
 
@@ -285,6 +286,38 @@ TEST_P(NeverThrown, gains_beyond_the_stable_wait_until_the_contact_is_left) {
   pressed.run(1);
   EXPECT_FALSE(pressed.waiting());
   EXPECT_EQ(pressed.gains().k, stiff.k) << "wanted; what the device bears caps it in the loop";
+}
+
+TEST_P(NeverThrown, another_mode_beyond_the_stable_waits_and_a_softer_wish_does_not) {
+  const DeviceProfile p = profile_named(GetParam());
+  const double late = late_by(p), most = (p.damping.value + 1) / late;
+  Pressed pressed(p, grips[1]);
+  Coupling stiff = soft();
+  stiff.mode = Coupling::Mode::classic;
+  stiff.k_t = 20 * most;
+  stiff.k_r = 1e-3;
+  pressed.set(stiff);
+  pressed.run(8);
+  EXPECT_TRUE(pressed.waiting());
+  const GainGlide::Blend& held = pressed.blend();
+  ASSERT_LT(held.share, 1);
+  // Both springs push the same way: what is felt is the sum of their shares.
+  EXPECT_NEAR(held.share * held.now.k_t + (1 - held.share) * held.before.k, most, 0.01 * most);
+  EXPECT_LE(pressed.pushed(), most_speed);
+  Coupling careful = soft();
+  careful.k = 100;
+  pressed.set(careful);
+  pressed.run(8);
+  EXPECT_FALSE(pressed.waiting());
+  EXPECT_EQ(pressed.gains().k, 100);
+  pressed.set(stiff);
+  pressed.run(8);
+  EXPECT_TRUE(pressed.waiting());
+  pressed.leave();
+  pressed.run(1);
+  EXPECT_FALSE(pressed.waiting());
+  EXPECT_EQ(pressed.blend().share, 1);
+  EXPECT_EQ(pressed.gains().k_t, stiff.k_t);
 }
 
 // A damper b in the same directions allows b / (T/2 + t_d) more.

@@ -84,7 +84,30 @@ TEST(BorneGains, the_estimate_is_that_of_one_sampled_axis_in_a_light_hand) {
   EXPECT_DOUBLE_EQ(stable.translation, (2 + 1) / 1.5e-3);
   EXPECT_EQ(stable.rotation, 0) << "no motor turns it";
   EXPECT_EQ(stable.damping, 0) << "it says nothing of damping";
-  EXPECT_EQ(stable_by_estimate({}, servo_tick, {}, long_probe()).translation, 0);
+  EXPECT_DOUBLE_EQ(stable_by_estimate({}, servo_tick, {}, long_probe()).translation, 1 / 0.5e-3)
+      << "the hand alone";
+  EXPECT_EQ(stable_by_estimate({.force = false}, servo_tick, {}, long_probe()).translation, 0)
+      << "nothing moves it";
+}
+
+TEST(BorneGains, a_device_that_reports_less_often_is_later) {
+  const DeviceTraits slow{.damping = 2, .delay = 1e-3, .period = 4e-3};
+  EXPECT_DOUBLE_EQ(stable_by_estimate(slow, servo_tick, {}, long_probe()).translation,
+                   (2 + 1) / 3e-3);
+  const DeviceTraits quick{.damping = 2, .delay = 1e-3, .period = 1e-4};
+  EXPECT_DOUBLE_EQ(stable_by_estimate(quick, servo_tick, {}, long_probe()).translation,
+                   (2 + 1) / 1.5e-3)
+      << "the servo asks no more often";
+}
+
+TEST(BorneGains, of_an_unknown_device_the_least_is_assumed_at_its_handle) {
+  const DeviceTraits unknown{.ratio = 2, .turn_ratio = 1, .max_torque = 1, .known = false};
+  const BorneGains stable = stable_by_estimate(unknown, servo_tick, {}, long_probe());
+  EXPECT_DOUBLE_EQ(stable.translation, (0.2 / 4 + 1) / 1.5e-3);
+  EXPECT_DOUBLE_EQ(stable.rotation, (1e-4 + 5e-5 / (0.05 / 4)) / 1.5e-3);
+  DeviceTraits no_torque = unknown;
+  no_torque.max_torque = 0;
+  EXPECT_EQ(stable_by_estimate(no_torque, servo_tick, {}, long_probe()).rotation, 0);
 }
 
 /// Evenly by ratio.
@@ -147,6 +170,21 @@ TEST(BorneGains, a_stiffness_above_its_limit_waits) {
   EXPECT_EQ(share(in_norm(Coupling::Mode::object, 500), in_norm(Coupling::Mode::object, 2000)), 1);
   EXPECT_EQ(share(in_norm(Coupling::Mode::object, 9000), in_norm(Coupling::Mode::object, 8000)), 1);
   EXPECT_EQ(share(in_norm(Coupling::Mode::object, 8000), in_norm(Coupling::Mode::object, 9000)), 0);
+}
+
+Coupling classic(double k_t, double b_t = 0) {
+  return {.mode = Coupling::Mode::classic, .k_t = k_t, .b_t = b_t};
+}
+
+// Half of each spring is felt half way, so 2000 N/m are reached where the lines cross.
+TEST(BorneGains, a_change_of_mode_waits_as_gains_do) {
+  const auto object = Coupling::Mode::object;
+  EXPECT_NEAR(share(in_norm(object, 1500), classic(3500)), 0.25, 1e-12);
+  EXPECT_NEAR(share(classic(1500), in_norm(object, 3500)), 0.25, 1e-12);
+  EXPECT_EQ(share(in_norm(object, 1500), classic(1900)), 1);
+  EXPECT_EQ(share(in_norm(object, 9000), classic(1900)), 1) << "to what is stable";
+  EXPECT_EQ(share(in_norm(object, 9000), classic(9500)), 0);
+  EXPECT_NEAR(share(classic(3000, 3), in_norm(object, 3000)), 0.5, 1e-12) << "loses its damper";
 }
 
 TEST(BorneGains, a_damper_lets_its_spring_by_and_waits_where_it_is_needed) {
