@@ -11,6 +11,7 @@ DeviceHand::DeviceHand(std::shared_ptr<InputDevice> device, const DeviceSettings
 
 HandSample DeviceHand::sample(double dt) noexcept {
   if (settings_.update()) motion_.set_settings(settings_.front());
+  if (profiles_.update()) motion_.set_profile(profiles_.front());
   if (views_.update()) motion_.set_view(views_.front());
   if (places_.update()) motion_.place(places_.front());
   const DeviceSample newest = device_->latest();

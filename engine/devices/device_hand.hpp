@@ -25,6 +25,8 @@ class DeviceHand {
 
   // To be called from one other thread; they act on the next tick.
   void set_settings(const DeviceSettings& settings) { settings_.write(settings); }
+  /// See DeviceMotion.
+  void set_profile(const std::optional<DeviceTraits>& at_handle) { profiles_.write(at_handle); }
   void set_view(const Quat& q_FV) { views_.write(q_FV); }
   void place(const Pose& X_FM) { places_.write(X_FM); }
   bool clutch_open() const { return clutch_open_.load(std::memory_order_relaxed); }
@@ -37,6 +39,7 @@ class DeviceHand {
   DeviceMotion motion_;
   DeviceClock::time_point sampled_{};  ///< arrival of the sample of this tick
   TripleBuffer<DeviceSettings> settings_;
+  TripleBuffer<std::optional<DeviceTraits>> profiles_;
   TripleBuffer<Quat> views_{Quat::Identity()};
   TripleBuffer<Pose> places_;
   std::atomic<bool> clutch_open_{false};

@@ -32,9 +32,29 @@ Quat base_in_fixed(DeviceSettings::Frame frame, const Quat& q_FV) {
   return frame == DeviceSettings::Frame::y_up ? lying_down() : Quat(q_FV * lying_down());
 }
 
-/// A device does not report how much virtual damping it permits: the least of the profiles.
+/// Where neither the device nor a profile says how much virtual damping it permits: the least of
+/// the profiles.
 constexpr double bearable_damping = 4;                 // N·s/m
 constexpr double bearable_rotational_damping = 0.004;  // N·m·s/rad
+
+DeviceTraits at_handle(const std::optional<DeviceTraits>& profile, const DeviceSample& sample) {
+  DeviceTraits out = profile.value_or(DeviceTraits{});
+  out.known = profile.has_value();
+  const auto said = [](double by_device, double by_profile) {
+    return by_device > 0 ? by_device : by_profile;
+  };
+  const auto or_least = [](double known, double least) { return known > 0 ? known : least; };
+  out.max_damping = or_least(said(sample.max_damping, out.max_damping), bearable_damping);
+  out.max_rotational_damping = or_least(out.max_rotational_damping, bearable_rotational_damping);
+  out.max_stiffness = said(sample.max_stiffness, out.max_stiffness);
+  // Its motors are those that it says, even if they are none.
+  out.max_force = sample.max_force;
+  out.max_torque = sample.max_torque;
+  if (!(sample.max_torque > 0)) out.rotational_damping = out.max_rotational_stiffness = 0;
+  out.force = sample.max_force > 0;
+  out.period = sample.rate_hz > 0 ? 1 / sample.rate_hz : 0;
+  return out;
+}
 
 }  // namespace
 
@@ -81,15 +101,7 @@ SixAxes DeviceMotion::in_fixed_frame(const SixAxes& in_base) const noexcept {
 /// A damping α of the probe is Aᵀ α A at the hand, with A the map of velocities.
 DeviceTraits DeviceMotion::traits(const DeviceSample& sample) const noexcept {
   const WorkspaceMap::Ratios ratios = map_.largest_ratios();
-  return {
-      .ratio = ratios.translation,
-      .turn_ratio = ratios.rotation,
-      .max_damping = bearable_damping / (ratios.translation * ratios.translation),
-      .max_rotational_damping = bearable_rotational_damping / (ratios.rotation * ratios.rotation),
-      .max_stiffness = sample.max_stiffness / (ratios.translation * ratios.translation),
-      .max_force = sample.max_force / ratios.translation,
-      .max_torque = sample.max_torque / ratios.rotation,
-      .force = sample.max_force > 0};
+  return traits_at_probe(at_handle(profile_, sample), ratios.translation, ratios.rotation);
 }
 
 void DeviceMotion::anchor(const DeviceSample& sample) noexcept {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "engine/devices/device_sample.hpp"
 #include "engine/devices/device_settings.hpp"
 #include "engine/devices/workspace_map.hpp"
@@ -26,6 +28,9 @@ class DeviceMotion {
   /// q_FV: orientation of the picture (x right, y up, z towards the eye), for
   /// DeviceSettings::Frame::view.
   void set_view(const Quat& q_FV) noexcept;
+  /// What its profile says of the handle; none: nothing is known of it. What the device itself
+  /// says counts more.
+  void set_profile(const std::optional<DeviceTraits>& at_handle) noexcept { profile_ = at_handle; }
   /// Puts the probe at another pose.
   void place(const Pose& X_FM) noexcept;
 
@@ -44,6 +49,7 @@ class DeviceMotion {
   SixAxes in_fixed_frame(const SixAxes& in_base) const noexcept;
 
   DeviceSettings settings_;
+  std::optional<DeviceTraits> profile_;
   Vec3 com_;
   Quat q_FV_ = Quat::Identity();
   Quat q_FB_ = Quat::Identity();

@@ -33,6 +33,7 @@ struct DeviceCapabilities {
   double max_force = 0;       ///< N, 0 without force
   double max_torque = 0;      ///< N·m
   double max_stiffness = 0;   ///< N/m, stable by its maker's statement; 0 if unknown
+  double max_damping = 0;     ///< N·s/m, virtual, likewise
   double rate_hz = 0;         ///< reports a second by its own statement; 0 if unknown
   Vec3 reach = Vec3::Zero();  ///< half the working volume along each axis, m; 0 without position
 };
@@ -44,6 +45,8 @@ struct DeviceSample {
   double max_force = 0;            ///< N, its largest force; 0 without force
   double max_torque = 0;           ///< N·m
   double max_stiffness = 0;        ///< N/m, by its maker's statement; 0: unknown
+  double max_damping = 0;          ///< N·s/m, likewise
+  double rate_hz = 0;              ///< reports a second by its own statement; 0: unknown
   std::uint64_t count = 0;         ///< usable reports since the start
   std::uint32_t session = 0;       ///< changes after each gap: earlier samples are not continuous
   std::uint32_t buttons = 0;       ///< bit 0 is button 1

@@ -215,6 +215,8 @@ void InputDevice::State::serve(Connection& connection) {
                         .max_force = connection.capabilities().max_force,
                         .max_torque = connection.capabilities().max_torque,
                         .max_stiffness = connection.capabilities().max_stiffness,
+                        .max_damping = connection.capabilities().max_damping,
+                        .rate_hz = connection.capabilities().rate_hz,
                         .count = sample.count,
                         .session = sample.session};
   complaint.clear();

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/base/error.hpp"
+#include "engine/settings/profile_match.hpp"
 #include "engine/study/identification/identified_profile.hpp"
 #include "engine/study/identification/measured_hand.hpp"
 #include "engine/text/output_file.hpp"
@@ -17,11 +18,16 @@ namespace {
 
 constexpr int look_ms = 50;
 
-/// The id that the device's name has in it; else the first.
+/// The id of the model that the device's name says, not of one that was measured; else the first.
 QString nearest_profile(const QStringList& ids, const QString& device) {
-  for (const QString& id : ids)
-    if (device.contains(id, Qt::CaseInsensitive)) return id;
-  return ids.value(0);
+  std::vector<DeviceProfile> profiles;
+  for (const QString& id : ids) {
+    if (id.endsWith(QLatin1String("measured"))) continue;
+    profiles.emplace_back();
+    profiles.back().id = id.toStdString();
+  }
+  const DeviceProfile* found = profile_of(device.toStdString(), profiles);
+  return found ? text(found->id) : ids.value(0);
 }
 
 QString reason_of(const PulseProgress& progress) {

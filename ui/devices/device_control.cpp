@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "engine/base/error.hpp"
+#include "engine/haptics/hand/device_traits.hpp"
 #include "engine/settings/device_settings_file.hpp"
+#include "engine/settings/profile_match.hpp"
 #include "engine/study/identification/measured_hand.hpp"
 #include "engine/text/output_file.hpp"
 #include "ui/document/session.hpp"
@@ -80,12 +82,30 @@ void DeviceControl::take(const InputSource& source) {
   emit changed();
 }
 
+/// Once it is open, a device tells its name. Until then that of its listing counts.
+void DeviceControl::find_profile() {
+  const auto* connected = std::get_if<ConnectedSource>(&source_);
+  if (!input_ || !connected) return;
+  std::string name = input_->status().name;
+  if (name.empty()) name = connected->name;
+  if (named_ == name) return;
+  named_ = std::move(name);
+  const DeviceProfile* found = profile_of(*named_, profiles_);
+  profile_ = found ? std::optional(*found) : std::nullopt;
+  session_->set_device_profile(found ? std::optional(traits_of(simulated(*found))) : std::nullopt);
+}
+
 /// Hands the probe of the session over.
 void DeviceControl::hold() {
   measuring_ = false;
+  named_.reset();
+  profile_.reset();
   if (!session_) return;
   run_as_wanted();
-  if (input_) return session_->hold_by(input_, settings_);
+  if (input_) {
+    session_->hold_by(input_, settings_);
+    return find_profile();
+  }
   if (const auto* path = std::get_if<PathSource>(&source_)) return follow_path(*path);
   const auto* simulating = std::get_if<SimulatedSource>(&source_);
   if (!simulating) return session_->hold_by_mouse();
@@ -205,6 +225,7 @@ void DeviceControl::set_led(bool on) {
 
 void DeviceControl::frame(const Quat& q_FV) {
   if (!session_) return;
+  find_profile();
   session_->set_view(q_FV);
   session_->sweep();
 }
@@ -222,6 +243,7 @@ std::vector<InputSource> DeviceControl::choices() const {
 SourceReport DeviceControl::report() {
   SourceReport report;
   if (input_) report.device = input_->status();
+  report.profile = profile_;
   // Plugged in again it may have another node.
   if (auto* connected = std::get_if<ConnectedSource>(&source_))
     if (!report.device.path.empty()) {
@@ -243,6 +265,7 @@ SourceReport DeviceControl::report() {
 void DeviceControl::add_profile(const DeviceProfile& profile) {
   std::erase_if(profiles_, [&](const DeviceProfile& each) { return each.id == profile.id; });
   profiles_.push_back(profile);
+  named_.reset();  // it may be of what is connected
 }
 
 bool DeviceControl::measurable() const {

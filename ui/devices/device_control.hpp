@@ -27,7 +27,9 @@ class Session;
 
 /// The state of what holds the probe, for the user.
 struct SourceReport {
-  DeviceStatus device;       ///< of a connected one
+  DeviceStatus device;  ///< of a connected one
+  /// Of its model, as far as its name tells; none: unknown.
+  std::optional<DeviceProfile> profile;
   double reports_per_s = 0;  ///< measured, over about a second
   bool clutch_open = false;
   bool measurable = false;  ///< a device with force holds the probe, or a simulated one
@@ -93,6 +95,7 @@ class DeviceControl : public QObject {
   void follow_path(const PathSource& path);
   void pace_simulated();
   bool measurable() const;
+  void find_profile();
   void run_as_wanted();
   void load_settings();
   void keep_settings();
@@ -107,6 +110,8 @@ class DeviceControl : public QObject {
   bool chosen_ = false;
   InputSource source_;
   std::shared_ptr<InputDevice> input_;  ///< of a connected device
+  std::optional<std::string> named_;    ///< whose profile was looked for; none: not yet
+  std::optional<DeviceProfile> profile_;
   DeviceSettings settings_;
   SimulatedGrip grip_ = chosen_grip();
   bool from_scene_ = false;

@@ -140,6 +140,10 @@ void Session::set_device_settings(const DeviceSettings& settings) {
   if (SimulatedHand* simulated = holding_->simulated()) simulated->set_scaling(settings.scaling);
 }
 
+void Session::set_device_profile(const std::optional<DeviceTraits>& at_handle) {
+  if (DeviceHand* device = holding_->device()) device->set_profile(at_handle);
+}
+
 void Session::set_view(const Quat& q_FV) {
   if (q_FV_.coeffs() == q_FV.coeffs()) return;
   q_FV_ = q_FV;

@@ -52,6 +52,8 @@ class Session {
   /// A recorded path, from its beginning; not an empty one.
   void replay(std::vector<TimedPose> path);
   void set_device_settings(const DeviceSettings& settings);
+  /// What is known of the handle of a connected device; none: nothing. See DeviceMotion.
+  void set_device_profile(const std::optional<DeviceTraits>& at_handle);
   /// The axes of the picture, for devices that go by them: x right, y up, z to the eye.
   void set_view(const Quat& q_FV);
   /// A button of the device holds the clutch open: the probe stays.

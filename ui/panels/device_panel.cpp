@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "engine/haptics/safety/borne_gains.hpp"
 #include "engine/settings/settings.hpp"
 #include "ui/base/format.hpp"
 #include "ui/base/theme.hpp"
@@ -51,24 +52,45 @@ QString capabilities(const DeviceCapabilities& can) {
   return parts.join(QStringLiteral(", "));
 }
 
+/// Empty where every figure has a source.
+QString assumed_of(const DeviceProfile& profile) {
+  QStringList assumed;
+  for (const std::string& key : assumed_keys(profile)) assumed << text(key).replace('_', ' ');
+  return assumed.isEmpty()
+             ? QString()
+             : QStringLiteral(" Assumed: ") + assumed.join(QStringLiteral(", ")) + QLatin1Char('.');
+}
+
 QString words_of(const DeviceProfile& profile) {
   const QString limits =
       QStringLiteral("Simulated: %1 and %2, %3, %4 late. The mouse moves the hand on it.")
           .arg(with_unit(profile.max_force.value, "N"), with_unit(profile.max_torque.value, "N·m"),
                with_unit(profile.mass.value, "kg"), with_unit(1e3 * profile.delay.value, "ms"));
-  QStringList assumed;
-  for (const std::string& key : assumed_keys(profile)) assumed << text(key).replace('_', ' ');
-  return assumed.isEmpty()
-             ? limits
-             : limits + QStringLiteral(" Assumed: ") + assumed.join(QStringLiteral(", ")) + '.';
+  return limits + assumed_of(profile);
 }
 
-QString words_of(const DeviceStatus& status) {
+/// By what it is judged which gains wait in a contact.
+QString words_of_judgement(const std::optional<DeviceProfile>& profile) {
+  if (profile)
+    return QStringLiteral("Gains that would be unstable in a contact wait, by the profile %1.")
+               .arg(text(profile->id)) +
+           assumed_of(*profile);
+  const DeviceTraits least = assumed_traits();
+  return QStringLiteral(
+             "Gains that would be unstable in a contact wait. No profile has its name: it is taken "
+             "to damp by %1 and to be %2 late, the least and the latest of the profiles.")
+      .arg(with_unit(least.damping, "N·s/m"), with_unit(1e3 * least.delay, "ms"));
+}
+
+QString words_of(const SourceReport& report) {
+  const DeviceStatus& status = report.device;
   QStringList lines;
   if (!status.path.empty()) lines << text(status.path) + ": " + capabilities(status.capabilities);
   if (!status.reason.empty()) lines << text(status.reason);
   if (*status.scheduling != 0) lines << "Its thread has " + text(status.scheduling);
   if (*status.wakefulness != 0) lines << "While it runs, " + text(status.wakefulness);
+  if (status.capabilities.force && status.capabilities.position)
+    lines << words_of_judgement(report.profile);
   return lines.join(QStringLiteral("\n"));
 }
 
@@ -359,7 +381,7 @@ void DevicePanel::show_report(const InputSource& source, const SourceReport& rep
   measure_->setVisible(adjustable_ && !(connected_ && deflections_));
   measure_->setEnabled(report.measurable);
   const auto* simulated = std::get_if<SimulatedSource>(&source);
-  what_->setText(simulated ? words_of(simulated->profile) : words_of(device));
+  what_->setText(simulated ? words_of(simulated->profile) : words_of(report));
   what_->setVisible(!what_->text().isEmpty());
   if (!connected_) return;
   if (deflections_ == device.capabilities.position) {

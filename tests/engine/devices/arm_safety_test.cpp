@@ -82,6 +82,33 @@ TEST_P(ArmSafety, the_force_of_a_contact_rises_from_zero_and_no_faster_than_its_
   EXPECT_GE(rising, 9) << "1 N in steps of at most 0.1 N";
 }
 
+// Reference: K (T/2 + t_d) = b + 1 N·s/m, by its profile; without one, of what is then assumed.
+TEST_P(ArmSafety, gains_that_would_be_unstable_wait_until_the_contact_is_left) {
+  DeviceTraits handle;
+  handle.damping = 0.5;
+  handle.delay = 1e-3;
+  handle.mass = 0.3;
+  for (const bool profiled : {true, false}) {
+    begin();
+    if (profiled) loop->hand.set_profile(handle);
+    press_in();
+    Coupling stiff;
+    stiff.k = 50'000;
+    loop->servo.set_coupling(stiff);
+    ASSERT_TRUE(comes_true([&] { return loop->now().hand.waiting; })) << profiled;
+    const double expected = profiled ? 1.5 / 1.5e-3 : 1.2 / 1.5e-3;
+    const double k = loop->now().hand.gains.now.k;
+    if (std::string(maker.path).starts_with("libHD"))
+      EXPECT_NEAR(k, expected, 0.01 * expected) << profiled;
+    else
+      EXPECT_LE(k, 1.01 * expected) << profiled;  // with torque, that of rotations may be less
+    move(Vec3(0, 0, 0.01));
+    ASSERT_TRUE(comes_true([&] { return loop->now().hand.gains.now.k == 50'000; })) << profiled;
+    EXPECT_FALSE(loop->now().hand.waiting);
+    loop.reset();
+  }
+}
+
 TEST_P(ArmSafety, escape_ends_the_force_and_after_it_the_force_rises_again) {
   begin();
   press_in();

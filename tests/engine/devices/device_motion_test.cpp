@@ -159,6 +159,76 @@ TEST(DeviceMotion, the_damping_a_probe_may_have_is_in_the_hand_what_a_device_bea
   EXPECT_FALSE(puck.move(pushed(along(0, 1)), 0.001).device) << "it feels nothing";
 }
 
+/// A device with force, at rest.
+DeviceSample with_force() {
+  DeviceSample sample = handle_at({0, 0, 0});
+  sample.max_force = 12;
+  return sample;
+}
+
+DeviceTraits of_a_profile() {
+  DeviceTraits handle;
+  handle.damping = 2;
+  handle.delay = 1e-3;
+  handle.rotational_damping = 5e-4;
+  handle.mass = 0.3;
+  handle.inertia = 2e-4;
+  handle.max_force = 20;
+  handle.max_torque = 0.4;
+  handle.max_stiffness = 4000;
+  handle.max_rotational_stiffness = 8;
+  handle.max_damping = 30;
+  return handle;
+}
+
+TEST(DeviceMotion, without_a_profile_it_is_an_unknown_device) {
+  DeviceMotion motion(in_scene(), com, start);
+  const auto traits = motion.move(with_force(), 0).device;
+  ASSERT_TRUE(traits);
+  EXPECT_FALSE(traits->known);
+  EXPECT_EQ(traits->damping, 0);
+  EXPECT_EQ(traits->mass, 0);
+  EXPECT_EQ(traits->max_force, 12);
+}
+
+TEST(DeviceMotion, its_profile_says_how_the_handle_moves) {
+  DeviceSettings settings = in_scene();
+  settings.scaling = 2;
+  DeviceMotion motion(settings, com, start);
+  motion.set_profile(of_a_profile());
+  DeviceSample sample = with_force();
+  sample.rate_hz = 500;
+  sample.max_torque = 0.2;
+  const auto traits = motion.move(sample, 0).device;
+  ASSERT_TRUE(traits);
+  EXPECT_TRUE(traits->known);
+  EXPECT_DOUBLE_EQ(traits->damping, 2. / 4);
+  EXPECT_DOUBLE_EQ(traits->mass, 0.3 / 4);
+  EXPECT_DOUBLE_EQ(traits->max_stiffness, 4000. / 4);
+  EXPECT_DOUBLE_EQ(traits->max_damping, 30. / 4);
+  EXPECT_EQ(traits->delay, 1e-3);
+  EXPECT_EQ(traits->period, 2e-3);
+  EXPECT_DOUBLE_EQ(traits->rotational_damping, 5e-4);
+  EXPECT_DOUBLE_EQ(traits->max_rotational_stiffness, 8);
+  motion.set_profile({});
+  EXPECT_FALSE(motion.move(sample, 1e-3).device->known);
+}
+
+TEST(DeviceMotion, its_own_word_counts_more_than_its_profile) {
+  DeviceMotion motion(in_scene(), com, start);
+  motion.set_profile(of_a_profile());
+  DeviceSample sample = with_force();
+  sample.max_stiffness = 1500;
+  sample.max_damping = 5;
+  const auto traits = motion.move(sample, 0).device;
+  ASSERT_TRUE(traits);
+  EXPECT_EQ(traits->max_force, 12);
+  EXPECT_EQ(traits->max_stiffness, 1500);
+  EXPECT_EQ(traits->max_damping, 5);
+  EXPECT_EQ(traits->max_torque, 0) << "this one has no motors for it";
+  EXPECT_EQ(traits->rotational_damping, 0);
+}
+
 TEST(DeviceMotion, by_rate_a_deflection_is_a_velocity) {
   DeviceSettings settings = in_scene();
   settings.reach = 0.05;

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "engine/settings/device_profile.hpp"
+
+namespace sonde {
+
+/// Whether a device of this name is of this model, as far as names tell: its letters and digits
+/// contain those of the profile's id, or of the profile's own name, in large or small letters. A
+/// profile measured on a device ("sigma.7-measured") is of the model that was measured.
+bool is_named_in(const DeviceProfile& profile, std::string_view device_name);
+
+/// The profile of the model that a connected device's name says: of several, the one of the longest
+/// name ("Touch X", not "Touch"); of these, a measured one, and then the first. Null if there is
+/// none.
+const DeviceProfile* profile_of(std::string_view device_name,
+                                std::span<const DeviceProfile> profiles);
+
+}  // namespace sonde

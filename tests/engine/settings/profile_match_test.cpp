@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// References: the names of the profiles that ship, and those that the makers' libraries tell.
+#include "engine/settings/profile_match.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "engine/haptics/safety/borne_gains.hpp"
+
+namespace sonde {
+namespace {
+
+std::vector<DeviceProfile> shipped() {
+  const std::filesystem::path folder = SONDE_DEVICES;
+  std::vector<DeviceProfile> out;
+  for (const std::string& id : device_profile_ids(std::span(&folder, 1)))
+    out.push_back(read_device_profile(folder / (id + ".json")));
+  return out;
+}
+
+std::string id_for(std::string_view name, const std::vector<DeviceProfile>& profiles) {
+  const DeviceProfile* profile = profile_of(name, profiles);
+  return profile ? profile->id : "none";
+}
+
+TEST(ProfileMatch, a_device_is_of_the_model_that_its_name_says) {
+  const std::vector<DeviceProfile> all = shipped();
+  EXPECT_EQ(id_for("sigma.7", all), "sigma.7");
+  EXPECT_EQ(id_for("Touch", all), "touch");
+  EXPECT_EQ(id_for("Touch X", all), "touch-x");
+  EXPECT_EQ(id_for("TOUCH_X S2", all), "touch-x");
+  EXPECT_EQ(id_for("PHANTOM Premium 1.5 6DOF", all), "premium-1.5-6dof");
+  EXPECT_EQ(id_for("Haply Inverse3", all), "none");
+  EXPECT_EQ(id_for("omega.6", all), "none");
+  EXPECT_EQ(id_for("", all), "none");
+  EXPECT_TRUE(is_named_in(all[0], all[0].name));
+  EXPECT_FALSE(is_named_in(all[0], "Falcon"));
+}
+
+TEST(ProfileMatch, one_that_was_measured_comes_first) {
+  std::vector<DeviceProfile> all = shipped();
+  DeviceProfile own = *profile_of("sigma.7", all);
+  own.id += "-measured";
+  own.name += ", measured";
+  all.push_back(own);
+  EXPECT_EQ(id_for("sigma.7", all), "sigma.7-measured");
+  EXPECT_EQ(id_for("Touch", all), "touch");
+}
+
+// Of a device without a profile: no device of ours is lighter, less damped or later.
+TEST(ProfileMatch, what_is_assumed_without_a_profile_is_the_least_of_those_that_ship) {
+  const DeviceTraits assumed = assumed_traits();
+  DeviceTraits least = traits_of(simulated(shipped().front()));
+  for (const DeviceProfile& profile : shipped()) {
+    least.damping = std::min(least.damping, profile.damping.value);
+    least.rotational_damping = std::min(least.rotational_damping, profile.rotational_damping.value);
+    least.mass = std::min(least.mass, profile.mass.value);
+    least.inertia = std::min(least.inertia, profile.inertia.value);
+    least.delay = std::max(least.delay, profile.delay.value);
+  }
+  EXPECT_EQ(assumed.damping, least.damping);
+  EXPECT_EQ(assumed.rotational_damping, least.rotational_damping);
+  EXPECT_EQ(assumed.mass, least.mass);
+  EXPECT_EQ(assumed.inertia, least.inertia);
+  EXPECT_EQ(assumed.delay, least.delay);
+}
+
+}  // namespace
+}  // namespace sonde
