@@ -29,6 +29,8 @@ std::string capabilities_text(const DeviceCapabilities& can) {
   const std::string torque =
       can.max_torque > 0 ? " and " + number(can.max_torque) + " N·m" : ", no torque";
   if (can.force) text += ", force to " + number(can.max_force) + " N" + torque;
+  if (can.max_stiffness > 0) text += ", stiff to " + number(can.max_stiffness) + " N/m";
+  if (can.max_damping > 0) text += ", damped to " + number(can.max_damping) + " N·s/m";
   if (can.rate_hz > 0) text += ", " + number(can.rate_hz) + " Hz";
   if (can.buttons > 0) text += ", " + std::to_string(can.buttons) + " buttons";
   return text + (can.led ? ", light" : "");
@@ -77,6 +79,7 @@ Json json_of(const DeviceCapabilities& can) {
   json["max_force"] = can.max_force;
   json["max_torque"] = can.max_torque;
   json["max_stiffness"] = can.max_stiffness;
+  json["max_damping"] = can.max_damping;
   json["reach"] = {can.reach.x(), can.reach.y(), can.reach.z()};
   json["rate_hz"] = can.rate_hz;
   json["buttons"] = can.buttons;
@@ -99,11 +102,8 @@ std::string devices_json(const std::vector<DeviceListing>& devices,
                          const std::vector<VendorLibraryListing>& libraries) {
   Json json;
   json["format"] = 1;
-  json["units"] = {{"max_force", "N"},
-                   {"max_torque", "N*m"},
-                   {"max_stiffness", "N/m"},
-                   {"reach", "m"},
-                   {"rate_hz", "Hz"}};
+  json["units"] = {{"max_force", "N"},       {"max_torque", "N*m"}, {"max_stiffness", "N/m"},
+                   {"max_damping", "N*s/m"}, {"reach", "m"},        {"rate_hz", "Hz"}};
   json["devices"] = Json::array();
   for (const DeviceListing& device : devices) {
     Json one;

@@ -43,8 +43,10 @@ inline constexpr unsigned serial_number = 0x2504;
 inline constexpr unsigned max_workspace = 0x2550;  // least x, y, z, largest x, y, z, mm [S]
 inline constexpr unsigned output_dof = 0x2554;     // 3: forces only; 6: torques too [S]
 inline constexpr unsigned calibration_style = 0x2555;
-inline constexpr unsigned nominal_max_force = 0x2603;  // N [S]
-inline constexpr unsigned current_force = 0x2700;      // N, x right, y up, z to the user [S]
+inline constexpr unsigned nominal_max_stiffness = 0x2602;  // N/mm, as the maker's examples use it
+inline constexpr unsigned nominal_max_force = 0x2603;      // N [S]
+inline constexpr unsigned nominal_max_damping = 0x2609;    // N per mm/s, likewise
+inline constexpr unsigned current_force = 0x2700;          // N, x right, y up, z to the user [S]
 // mN·m, the same axes [Y] [S] [H]. The maker's later headers call it deprecated, in favour of the
 // torques of joints and gimbal, which need the arm's kinematics.
 inline constexpr unsigned current_torque = 0x2701;

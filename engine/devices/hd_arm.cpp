@@ -17,6 +17,8 @@ constexpr auto stands_still = 100ms;  // time without a frame
 constexpr double metres_of_mm = 0.001;
 constexpr double mN_m = 1000;  // per N·m; hd_api.hpp gives the sources
 constexpr int calibrated_every = 100;
+constexpr double stiffest = 1e5;     // N/m, above that of any model
+constexpr double most_damped = 1e3;  // N·s/m, likewise
 constexpr const char* default_device = "Default Device";
 
 std::atomic<bool>& in_use() {
@@ -137,8 +139,21 @@ void HdArm::identify(const std::string& path) {
                             .buttons = 2,
                             .max_force = force,
                             .max_torque = largest_torque(identity_.name, six_),
+                            .max_stiffness = nominal(hd::nominal_max_stiffness, stiffest),
+                            .max_damping = nominal(hd::nominal_max_damping, most_damped),
                             .rate_hz = 1000,
                             .reach = (hd_to_base() * reach).cwiseAbs()};
+}
+
+/// A figure that older libraries do not have; 0 if this one does not tell it, or one that cannot
+/// be true.
+double HdArm::nominal(unsigned parameter, double most) const {
+  constexpr double per_metre = 1000;  // of N/mm and N per mm/s
+  double value = 0;
+  library_->api().hdGetDoublev(parameter, &value);
+  if (errors() != hd::success) return 0;
+  value *= per_metre;
+  return value > 0 && value <= most ? value : 0;
 }
 
 std::string HdArm::words_of(unsigned error) const {

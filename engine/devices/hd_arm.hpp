@@ -69,6 +69,7 @@ class HdArm {
   };
 
   void identify(const std::string& path);
+  double nominal(unsigned parameter, double most) const;
   void check(const std::string& path, const char* what) const;
   std::string words_of(unsigned error) const;
   static unsigned called_back(void* self) noexcept;

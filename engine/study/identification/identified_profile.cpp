@@ -51,6 +51,8 @@ DeviceProfile with_limits_of(DeviceProfile profile, const DeviceCapabilities& ca
   const std::string source = "the connected device's own word";
   profile.max_force = {can.max_force, source};
   profile.max_torque = {can.max_torque, source};
+  if (can.max_stiffness > 0) profile.max_stiffness = {can.max_stiffness, source};
+  if (can.max_damping > 0) profile.max_damping = {can.max_damping, source};
   return profile;
 }
 

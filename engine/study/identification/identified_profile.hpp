@@ -27,8 +27,8 @@ const ProfileKey& key_of(ProfileValue DeviceProfile::*value);
 DeviceProfile identified_profile(DeviceProfile profile, const Identification& identification,
                                  const std::string& source);
 
-/// The profile with the largest force and torque that a connected device reports: these are more
-/// reliable than any profile.
+/// The profile with the limits that a connected device reports: these are more reliable than any
+/// profile. A stiffness or damping that it does not report remains the profile's.
 DeviceProfile with_limits_of(DeviceProfile profile, const DeviceCapabilities& can);
 
 }  // namespace sonde

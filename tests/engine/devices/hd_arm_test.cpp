@@ -41,6 +41,28 @@ TEST_F(HdArms, a_touch_says_what_it_is_and_takes_no_torque) {
   EXPECT_EQ(standin.force(), Vec3(1, 0, 0));
 }
 
+TEST_F(HdArms, the_stiffness_and_damping_that_the_library_recommends_are_limits) {
+  {
+    HdArm arm(library, the_default);
+    EXPECT_EQ(arm.identity().capabilities.max_stiffness, 0) << "it does not know them";
+    EXPECT_EQ(arm.identity().capabilities.max_damping, 0);
+  }
+  standin->stiffest = 0.5;       // N/mm
+  standin->most_damped = 0.002;  // N per mm/s
+  {
+    HdArm arm(library, the_default);
+    EXPECT_DOUBLE_EQ(arm.identity().capabilities.max_stiffness, 500);
+    EXPECT_DOUBLE_EQ(arm.identity().capabilities.max_damping, 2);
+    awaited(arm, Kind::pose);
+  }
+  for (const double wrong : {-1.0, 1e9, double(NAN)}) {
+    standin->stiffest = standin->most_damped = wrong;
+    HdArm arm(library, the_default);
+    EXPECT_EQ(arm.identity().capabilities.max_stiffness, 0) << wrong;
+    EXPECT_EQ(arm.identity().capabilities.max_damping, 0) << wrong;
+  }
+}
+
 TEST_F(HdArms, poses_come_in_our_frame_and_metres) {
   HdArm arm(library, the_default);
   standin.move_to({10, 20, 30});  // mm: right, up, to the user

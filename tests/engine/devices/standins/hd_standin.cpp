@@ -33,6 +33,15 @@ void run() {
   }
 }
 
+/// An older library does not know these parameters.
+void tell_nominal(unsigned parameter, double& value) {
+  const double own = parameter == 0x2602 ? state.stiffest : state.most_damped;
+  if (own == 0)
+    error = 0x0100;  // invalid enum
+  else
+    value = own;
+}
+
 void in_a_frame(const char* words) {
   state.rule(in_frame && std::this_thread::get_id() == scheduler_id, words);
 }
@@ -105,6 +114,7 @@ EXPORTED void hdGetIntegerv(unsigned parameter, int* values) {
   }
 }
 EXPORTED void hdGetDoublev(unsigned parameter, double* values) {
+  if (parameter == 0x2602 || parameter == 0x2609) return tell_nominal(parameter, *values);
   if (parameter == 0x2603) *values = 3.3;  // N
   if (parameter == 0x2550) {               // mm
     const double volume[6] = {-210, -110, -85, 210, 205, 130};

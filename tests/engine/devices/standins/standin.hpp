@@ -26,6 +26,7 @@ struct Standin {
   std::atomic<bool> uncalibrated{false};
   std::atomic<int> fault{0};  ///< libdhd: why the force is off; libHD: an error code, in one frame
   std::atomic<unsigned> buttons{0};
+  std::atomic<double> stiffest{0}, most_damped{0};  ///< libHD: N/mm, N per mm/s; 0: it has neither
   std::atomic<int> model{104};  ///< libdhd: its system type. libHD: 6 takes torques, 3 does not
 
   // By the stand-in.
