@@ -62,15 +62,9 @@ TuningRequest request_of(const TuningOrder& order, const LoadedScene& opened) {
   request.sample_time = 1 / opened.servo.rate_hz;
   request.budget = counted_budget(opened.servo);
   request.device = order.device;
+  request.kind = order.kind;
   request.inputs = inputs_of(opened);
   return request;
-}
-
-void keep_kind(Study& study, const std::string& kind) {
-  if (kind.empty()) return;
-  std::erase_if(study.parts,
-                [&](const StudyPart& part) { return !part.name.starts_with(kind + '.'); });
-  if (study.parts.empty()) throw InputError("no contact of the kind \"" + kind + "\" was found");
 }
 
 /// Of a study that may not be finished; no value before its first row.
@@ -142,9 +136,8 @@ Tuning compute_tuning(const TuningOrder& order, const LoadedScene& opened, const
   std::atomic<double> fraction = 0;
   const Stop stop = [&] { return progress && !progress(fraction); };
   const unsigned threads = std::max(2u, std::thread::hardware_concurrency()) - 1;
-  Study study = plan_tuning(request_of(order, opened), threads, stop,
-                            [&](double done) { fraction = looking * done; });
-  keep_kind(study, order.kind);
+  const Study study = plan_tuning(request_of(order, opened), threads, stop,
+                                  [&](double done) { fraction = looking * done; });
   const fs::path folder = order.within / fingerprint(study.about);
   std::size_t told = 0;
   const auto tell = [&](std::size_t done, std::size_t total, double) {

@@ -47,19 +47,20 @@ std::vector<HandGrip> hands() {
   return out;
 }
 
-double damping_of(const TuningPlan& plan) {
+double damping_of(const TuningPlan& plan, double share) {
   const TuningSetup setup = tuning_setup(plan, 0, hand_grips[0]);
-  return plan.damping_share * most_damping(setup, plan.axis);
+  return share * most_damping(setup, plan.axis);
 }
 
 /// Records the first swing, if any.
 class Climb {
  public:
-  Climb(const TuningPlan& plan, const Stop& stop)
+  Climb(const TuningPlan& plan, double share, const Stop& stop)
       : plan_(plan),
         stop_(stop),
         axis_(plan.axis),
-        damping_(damping_of(plan)),
+        share_(share),
+        damping_(damping_of(plan, share)),
         conditions_(conditions(plan)) {}
 
   Rung at(double stiffness) const {
@@ -86,30 +87,48 @@ class Climb {
                        met.knock,
                        report.failures > 0 ? 0 : report.swing,
                        report.failures > 0 ? 0 : report.frequency,
-                       theory_limits(setup, axis_, plan_.damping_share).stable};
+                       theory_limits(setup, axis_, share_).stable};
     return false;
   }
 
   const TuningPlan& plan_;
   const Stop& stop_;
   GainAxis axis_;
-  double damping_;
+  double share_, damping_;
   std::vector<Condition> conditions_;
 };
 
 /// Where the first look found nothing, any stiffness that theory and the device allow may be what
 /// the parts still to come allow, so each of these is tried, whichever comes to rest. The stiffest
 /// first.
-std::vector<double> without_first_look(const TuningPlan& plan) {
-  double most = std::min(plan.unmeasured, plan.request.high);
+std::vector<double> without_first_look(const TuningPlan& plan, const DampingToTry& at) {
+  double most = std::min(at.unmeasured, plan.request.high);
   for (std::size_t i = 0; i < plan.contacts.situations.size(); ++i)
     most = std::min(
-        most,
-        theory_limits(tuning_setup(plan, i, hand_grips[0]), plan.axis, plan.damping_share).stable);
+        most, theory_limits(tuning_setup(plan, i, hand_grips[0]), plan.axis, at.share).stable);
   std::vector<double> out;
   const double least = std::max(plan.request.low, lowest * most);
   for (double k = most; k >= least && k > 0; k /= coarse_step) out.push_back(k);
   return out;
+}
+
+/// The ladder of the damping at which the stiffest came to rest; among equal ones, and where none
+/// did, the least damping.
+RestLadder climb_at_each_damping(const TuningPlan& plan, const Stop& stop) {
+  std::vector<DampingToTry> dampings = plan.dampings;
+  if (dampings.empty()) dampings.push_back({plan.damping_share, plan.unmeasured});
+  std::optional<RestLadder> best;
+  const auto held = [](const RestLadder& ladder) {
+    const Rung* rung = ladder.held(infinity);
+    return rung ? rung->stiffness : 0;
+  };
+  for (const DampingToTry& at : dampings) {
+    const Climb climb(plan, at.share, stop);
+    RestLadder ladder{plan.axis, damping_of(plan, at.share), {}};
+    for (const double k : without_first_look(plan, at)) ladder.rungs.push_back(climb.at(k));
+    if (!best || held(ladder) > held(*best)) best = std::move(ladder);
+  }
+  return *best;
 }
 
 Json json_of(const Swing& swing) {
@@ -162,13 +181,10 @@ const Rung* RestLadder::failed(double over, double stiffness) const {
 }
 
 RestLadder climb_down(const TuningPlan& plan, const Stop& stop) {
-  const Climb climb(plan, stop);
   const double first = plan.held_stiffness;
-  RestLadder out{plan.axis, damping_of(plan), {}};
-  if (!(first > 0)) {
-    for (const double k : without_first_look(plan)) out.rungs.push_back(climb.at(k));
-    return out;
-  }
+  if (!(first > 0)) return climb_at_each_damping(plan, stop);
+  const Climb climb(plan, plan.damping_share, stop);
+  RestLadder out{plan.axis, damping_of(plan, plan.damping_share), {}};
   for (double k = above_first_look * first; k > lowest * first;) {
     if (k <= plan.unmeasured * rounding) out.rungs.push_back(climb.at(k));
     if (k < looked_below * first && out.held(k)) break;

@@ -50,7 +50,8 @@ TuningSetup ladder_setup(const TuningPlan& plan, std::size_t situation, const Ha
 
 /// Climbs down until everything comes to rest, and a little further; at most to 1/8 of the first
 /// look. If that allows nothing, to 1/8 of what theory, the driver and the encoder allow, wherever
-/// everything comes to rest. Throws Cancelled.
+/// everything comes to rest, and at each of TuningPlan::dampings: the ladder is then that of the
+/// one at which the stiffest came to rest. Throws Cancelled.
 RestLadder climb_down(const TuningPlan& plan, const Stop& stop);
 
 std::string to_json(const RestLadder& ladder);

@@ -156,9 +156,12 @@ TuningContacts choose(const TuningRequest& request, const std::vector<ContactSit
     out.situations.insert(out.situations.end(), each.situations.begin(), each.situations.end());
     out.skipped.insert(out.skipped.end(), each.skipped.begin(), each.skipped.end());
   }
+  const std::string& only = request.kind;
   for (const ContactKind kind : all_contact_kinds)
     if (std::ranges::find(found, kind, &ContactSituation::kind) == found.end())
-      out.skipped.push_back({kind, "no such contact was found"});
+      out.skipped.push_back({kind, only.empty() || only == name_of(kind)
+                                       ? "no such contact was found"
+                                       : "only the contact \"" + only + "\" was asked for"});
   return out;
 }
 
@@ -237,34 +240,36 @@ Json about(const TuningPlan& plan) {
   for (const TuningSituation& each : plan.contacts.situations) situations.push_back(about(r, each));
   for (const SkippedContact& each : plan.contacts.skipped)
     skipped.push_back({{"kind", name_of(each.kind)}, {"reason", each.reason}});
-  return {{"inputs", Json::parse(r.inputs)},
-          {"mode", name_of(r.coupling.mode)},
-          {"method", name_of(r.method)},
-          {"max_force", std::min(r.coupling.max_force, r.device.max_force.value)},
-          {"max_torque", r.device.max_torque.value > 0
-                             ? std::min(r.coupling.max_torque, r.device.max_torque.value)
-                             : r.coupling.max_torque},
-          {"sample_time", r.sample_time},
-          {"budget_steps", r.budget.steps},
-          {"budget_work", r.budget.work},
-          {"seed", r.seed},
-          {"ratio", r.ratio},
-          {"low", r.low},
-          {"high", r.high},
-          {"trajectory", !r.path.empty()},
-          {"trusts_friction", r.trusts_friction},
-          {"always_held", r.always_held},
-          {"device", about(r.device)},
-          {"rotational_stiffness_per_translational", plan.joint.stiffness},
-          {"rotational_damping_per_translational", plan.joint.damping},
-          {"axis_in_full", name_of(plan.axis)},
-          {"damping_share_in_full", plan.damping_share},
-          {"largest_inertia", r.pair.probe().mass.inertia.maxCoeff()},
-          {"damper_in_theory", plan.damper ? Json{{"stiffness", plan.damper->stiffness},
-                                                  {"damping", plan.damper->damping}}
-                                           : Json(nullptr)},
-          {"situations", situations},
-          {"skipped", skipped}};
+  Json out{{"inputs", Json::parse(r.inputs)},
+           {"mode", name_of(r.coupling.mode)},
+           {"method", name_of(r.method)},
+           {"max_force", std::min(r.coupling.max_force, r.device.max_force.value)},
+           {"max_torque", r.device.max_torque.value > 0
+                              ? std::min(r.coupling.max_torque, r.device.max_torque.value)
+                              : r.coupling.max_torque},
+           {"sample_time", r.sample_time},
+           {"budget_steps", r.budget.steps},
+           {"budget_work", r.budget.work},
+           {"seed", r.seed},
+           {"ratio", r.ratio},
+           {"low", r.low},
+           {"high", r.high},
+           {"trajectory", !r.path.empty()},
+           {"trusts_friction", r.trusts_friction},
+           {"always_held", r.always_held},
+           {"device", about(r.device)},
+           {"rotational_stiffness_per_translational", plan.joint.stiffness},
+           {"rotational_damping_per_translational", plan.joint.damping},
+           {"axis_in_full", name_of(plan.axis)},
+           {"damping_share_in_full", plan.damping_share},
+           {"largest_inertia", r.pair.probe().mass.inertia.maxCoeff()},
+           {"damper_in_theory", plan.damper ? Json{{"stiffness", plan.damper->stiffness},
+                                                   {"damping", plan.damper->damping}}
+                                            : Json(nullptr)},
+           {"situations", situations},
+           {"skipped", skipped}};
+  if (!r.kind.empty()) out["only_kind"] = r.kind;
+  return out;
 }
 
 }  // namespace
@@ -284,13 +289,18 @@ TuningContacts tuning_contacts(const TuningRequest& request, const Stop& stop,
   SituationOptions options{.method = request.method, .seed = request.seed, .progress = progress};
   options.threads = threads;
   options.hardness = [&](const FeltStiffness& felt) { return 1 / theory_factor(request, felt); };
-  const auto found =
-      request.path.empty()
-          ? find_situations(request.pair, request.X_FM, tried_of_kind, options, stop)
-          : situations_along(request.pair, request.path, tried_of_kind, options, stop);
+  auto found = request.path.empty()
+                   ? find_situations(request.pair, request.X_FM, tried_of_kind, options, stop)
+                   : situations_along(request.pair, request.path, tried_of_kind, options, stop);
   if (found.empty())
     throw InputError(request.path.empty() ? "no contact of the two bodies was found"
                                           : "the probe is in contact at no pose of the trajectory");
+  if (!request.kind.empty()) {
+    std::erase_if(found,
+                  [&](const ContactSituation& each) { return name_of(each.kind) != request.kind; });
+    if (found.empty())
+      throw InputError("no contact of the kind \"" + request.kind + "\" was found");
+  }
   auto chosen = choose(request, found, stop, threads);
   if (chosen.situations.empty())
     throw InputError(

@@ -32,6 +32,7 @@ struct TuningRequest {
   Budget budget = counted_budget(ServoSettings{});  ///< of a tick
   DeviceProfile device = {};
   std::vector<TimedPose> path = {};  ///< contacts are taken from it; empty: they are searched for
+  std::string kind = {};  ///< only contacts of this kind are studied; empty: those of every kind
   std::uint64_t seed = 1;
   double ratio = 1.02;         ///< accuracy of the limits
   double low = 1, high = 1e5;  ///< range of the stiffness studied, N/m; of a rotational one the
@@ -67,7 +68,7 @@ struct TuningContacts {
 
 /// The contacts to study: of each kind the hardest in which a light hand can hold the probe still.
 /// Takes seconds; the same at any number of threads; `progress` gets the fraction done, 0 to 1.
-/// Throws InputError where there is none, Cancelled.
+/// Throws InputError where there is none (of the kind asked for), Cancelled.
 TuningContacts tuning_contacts(const TuningRequest& request, const Stop& stop,
                                const std::function<void(double)>& progress = {},
                                unsigned threads = 1);
@@ -75,6 +76,12 @@ TuningContacts tuning_contacts(const TuningRequest& request, const Stop& stop,
 /// A situation with a hand and the request's device, with gains well within the theoretical limit.
 TuningSetup tuning_setup(const TuningRequest& request, const TuningSituation& situation,
                          const HandGrip& grip);
+
+/// A damping at which nothing is known yet, as a share of the largest.
+struct DampingToTry {
+  double share = 0;
+  double unmeasured = infinity;  ///< as TuningPlan has it
+};
 
 /// The starting point of the gain studies.
 struct TuningPlan {
@@ -95,6 +102,8 @@ struct TuningPlan {
   /// What theory of a handle that no hand holds, the driver and the encoder allow there, N/m: no
   /// run can raise it.
   double unmeasured = infinity;
+  /// If no first look allowed anything: every damping of that axis, the least first. All are tried.
+  std::vector<DampingToTry> dampings = {};
   /// What they would allow with a damper, if the coupling studied is the object norm without one.
   std::optional<DamperInTheory> damper = {};
 };

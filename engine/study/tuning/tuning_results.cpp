@@ -151,6 +151,7 @@ void read_about(const Json& json, TuningResults& out) {
   out.max_torque = json.at("max_torque").get<double>();
   out.trusts_friction = json.value("trusts_friction", false);
   out.always_held = json.value("always_held", false);
+  out.only_kind = json.value("only_kind", std::string());
   out.largest_inertia = json.value("largest_inertia", 0.0);
   if (const auto found = json.find("damper_in_theory"); found != json.end() && !found->is_null())
     out.damper = {found->at("stiffness").get<double>(), found->at("damping").get<double>()};

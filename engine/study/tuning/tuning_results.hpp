@@ -69,6 +69,7 @@ struct TuningResults {
   std::vector<Felt> felt;
   double largest_inertia = 0;            ///< of the probe, Î, m²; 0: unknown
   bool always_held = false;              ///< as TuningRequest
+  std::string only_kind;                 ///< of contact, the one studied; empty: every one found
   std::optional<DamperInTheory> damper;  ///< if the mode is the object norm; none: unknown
   std::optional<RestLadder> ladder;      ///< none: it was not climbed, or not yet
   std::vector<TuningLine> lines;         ///< those of the unchanged profile come first

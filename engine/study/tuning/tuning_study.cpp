@@ -278,6 +278,11 @@ std::shared_ptr<const TuningPlan> study_plan(const TuningRequest& request, unsig
     plan->unmeasured = look.unmeasured;
     plan->first_look = std::move(all);
   }
+  if (!(plan->held_stiffness > 0)) {
+    for (const Look& look : looks)
+      if (look.axis == plan->axis) plan->dampings.push_back({look.share, look.unmeasured});
+    std::ranges::sort(plan->dampings, {}, &DampingToTry::share);
+  }
   return plan;
 }
 

@@ -178,5 +178,47 @@ TEST(RestLadder, what_a_first_look_did_not_find_is_recommended_only_once_tried) 
               Contains(HasSubstr("nothing so soft was held until it rests")));
 }
 
+// Reference: the same climb at each damping by itself.
+TEST(RestLadder, where_no_first_look_found_any_every_damping_is_tried) {
+  TuningRequest request = test::pressed_boxes();
+  request.coupling.mode = Coupling::Mode::damped;
+  TuningPlan plan = tuning_plan(request, never);
+  const TuningSetup setup = tuning_setup(plan, 0, hand_grips[0]);
+  const auto tried = [&](std::vector<DampingToTry> dampings) {
+    plan.dampings = std::move(dampings);
+    return climb_down(plan, never);
+  };
+  const std::vector<double> shares{0, 0.1, 1};
+  std::vector<DampingToTry> all;
+  double stiffest = 0, its_damping = 0;
+  for (const double share : shares) {
+    all.push_back({share, 3000});
+    const RestLadder alone = tried({{share, 3000}});
+    EXPECT_DOUBLE_EQ(alone.damping, share * most_damping(setup, plan.axis));
+    const Rung* held = alone.held(infinity);
+    if (!held || held->stiffness <= stiffest) continue;
+    stiffest = held->stiffness;
+    its_damping = alone.damping;
+  }
+  ASSERT_GT(stiffest, 0);
+  const RestLadder best = tried(all);
+  EXPECT_EQ(best.held(infinity)->stiffness, stiffest);
+  EXPECT_EQ(best.damping, its_damping);
+}
+
+TEST(RestLadder, the_dampings_to_try_are_those_of_the_map) {
+  TuningRequest request = test::pressed_boxes();
+  request.coupling.mode = Coupling::Mode::damped;
+  EXPECT_TRUE(study_plan(request, 2, never)->dampings.empty()) << "a first look allows some";
+  request.low = 0.9 * request.high;  // stiffer than anything that holds
+  const auto plan = study_plan(request, 2, never);
+  ASSERT_EQ(plan->held_stiffness, 0);
+  const std::vector<double> shares =
+      damping_shares(tuning_setup(*plan, 0, hand_grips[0]), plan->axis);
+  ASSERT_EQ(plan->dampings.size(), shares.size());
+  ASSERT_GT(shares.size(), 2U);
+  for (std::size_t i = 0; i < shares.size(); ++i) EXPECT_EQ(plan->dampings[i].share, shares[i]);
+}
+
 }  // namespace
 }  // namespace sonde
