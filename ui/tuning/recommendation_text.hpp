@@ -7,9 +7,8 @@
 
 namespace sonde::ui {
 
-/// The recommended gains of one axis for the user: the values, their margin, what limits them, and
-/// the assumed values of the profile that they depend on, with the effect of half and twice each.
-/// Plain text, lines separated by '\n'; states where there is no recommendation.
+/// The gains of one axis in the terminal's words and order (axis_in_words), a sentence on each
+/// line. Plain text, lines separated by '\n'; states where there is no recommendation.
 QString recommendation_text(const TuningResults& results, GainAxis axis);
 
 /// Gains of one axis relative to what the study allows at that damping (allowed_text). Empty where

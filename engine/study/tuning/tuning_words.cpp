@@ -3,82 +3,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
-#include <utility>
 
 #include "engine/study/stability/contact_stability.hpp"
 #include "engine/study/tuning/assumptions.hpp"
-#include "engine/study/tuning/gain_recommendation.hpp"
+#include "engine/study/tuning/gain_words.hpp"
+#include "engine/study/tuning/sureness_words.hpp"
 #include "engine/study/tuning/tuning.hpp"
 #include "engine/study/tuning/wall_hardness.hpp"
-#include "engine/text/number_text.hpp"
 
 namespace sonde {
 namespace {
-
-/// Three digits, or all before the decimal point.
-std::string short_text(double value) {
-  return value >= 1000 && value < 1e9 ? number_text(std::round(value)) : number_text(value, 3);
-}
-
-/// Words for a reason whose name is not self-explanatory.
-std::string words_of(const std::string& reason) {
-  constexpr std::pair<std::string_view, const char*> words[] = {
-      {"friction", "stability without friction"},
-      {"knocks", "stability at harder knocks"},
-      {"driver", "the driver's largest stiffness"},
-      {"rendered", "what is rendered on this device at most"},
-      {"resolution", "the encoder's steps"},
-      {"rest", "what comes to rest"},
-      {"released", "what the handle bears once no hand holds it, in theory"},
-      {"range", "the range studied"}};
-  for (const auto& [name, meaning] : words)
-    if (reason == name) return meaning;
-  return reason;
-}
-
-std::string where(const GainLimit& limit) {
-  if (limit.kind.empty()) return {};
-  return " (" + limit.kind + " contact" + (limit.hand.empty() ? "" : ", " + limit.hand + " hand") +
-         ")";
-}
-
-}  // namespace
-
-std::string limit_in_words(const GainLimit& limit) {
-  return "limited by " + words_of(limit.reason) + where(limit);
-}
-
-namespace {
-
-const char* stiffness_unit(GainAxis axis) {
-  return axis == GainAxis::rotation ? " N·m/rad" : " N/m";
-}
-std::string damping_text(const AxisGains& gains) {
-  const bool turns = damps_turns(gains.axis);
-  return (turns ? "b_r " : "b_t ") + short_text(gains.damping) + (turns ? " N·m·s/rad" : " N·s/m");
-}
-std::string stiffness_text(const AxisGains& gains) {
-  return short_text(gains.stiffness) + stiffness_unit(gains.axis);
-}
-
-std::string gains_text(const AxisGains& gains, const JointGains& joint) {
-  if (gains.axis == GainAxis::object) return "k " + stiffness_text(gains);
-  std::string out = stiffness_key(gains.axis) + (" " + stiffness_text(gains));
-  const Coupling c = coupling_of(gains, joint);
-  if (is_joint(gains.axis)) out += ", k_r " + short_text(c.k_r) + " N·m/rad";
-  if (gains.damping == 0) return out + ", no damping";
-  out += ", " + damping_text(gains);
-  if (gains.axis == GainAxis::together) out += ", b_r " + short_text(c.b_r) + " N·m·s/rad";
-  return out;
-}
 
 /// Empty if nothing is recommended.
 std::string damping_ratio_text(const TuningResults& results, const AxisGains& gains) {
   const DampingRatios ratio = damping_ratios(results, gains);
   std::string out;
   const auto add = [&](const std::optional<double>& zeta, const char* what) {
-    if (zeta) out += (out.empty() ? "" : ", ") + short_text(*zeta) + what;
+    if (zeta) out += (out.empty() ? "" : ", ") + short_number(*zeta) + what;
   };
   add(ratio.translation, " of the translation");
   if (results.device.at("max_torque") > 0) add(ratio.rotation, " of the rotation");
@@ -99,9 +40,9 @@ std::string hardness_text(const TuningResults& results, const AxisGains& gains) 
   const HandGrip& light = hand_grips[0];
   const double rise = rise_time(axis, stiffness, {light.stiffness, light.damping});
   const std::string rises = std::isfinite(rise)
-                                ? "rises in " + short_text(1e3 * rise) + " ms"
+                                ? "rises in " + short_number(1e3 * rise) + " ms"
                                 : std::string("does not come to what it should within 10 s");
-  return "a wall at these gains feels as hard as " + short_text(rate_hardness(axis, stiffness)) +
+  return "a wall at these gains feels as hard as " + short_number(rate_hardness(axis, stiffness)) +
          " N/m to a handle that runs into it (rate-hardness over 10 ms), and its force " + rises +
          " (10 to 90 %, light hand)";
 }
@@ -111,14 +52,34 @@ std::string why_no_damping(const TuningResults& results, const AxisGains& best) 
   const auto next = best_damped(results, best);
   if (best.damping > 0 || best.stiffness <= 0 || !next) return {};
   const bool by_itself = is_joint(next->axis) && next->axis != GainAxis::together;
-  return "no virtual damping is best: at " + damping_text(*next) + (by_itself ? " by itself" : "") +
-         " the stiffness may be " + stiffness_text(*next) + ", " + limit_in_words(next->limit);
+  return "no virtual damping is best: at " + damping_in_words(*next) +
+         (by_itself ? " by itself" : "") + " the stiffness may be " +
+         stiffness_in_words(next->axis, next->stiffness) + ", " + limit_in_words(next->limit);
+}
+
+/// Where a sweep found what does not hold. Empty if it found nothing.
+std::string measured_text(const AxisGains& gains) {
+  if (!(gains.stiffness > 0)) return {};
+  std::string out;
+  const auto add = [&](bool known, const char* what, double limit) {
+    if (!known || !(limit > 0) || !std::isfinite(limit)) return;
+    out += (out.empty() ? "" : ", ") + std::string(what) + stiffness_in_words(gains.axis, limit);
+  };
+  add(true, "measured to be stable up to ", gains.boundary);
+  if (!out.empty()) out += " (a margin of " + short_number(gains.margin()) + ")";
+  add(true,
+      gains.without_friction_by_theory ? "without friction, in theory, up to "
+                                       : "without friction up to ",
+      gains.without_friction);
+  add(gains.harder_knocks < gains.boundary, "at harder knocks up to ", gains.harder_knocks);
+  add(true, "passive in theory up to ", gains.passive);
+  return out;
 }
 
 /// What came to rest without friction did so in the engine's contact, which bends and ends.
 std::string beyond_theory(const AxisGains& gains) {
   if (!(gains.stiffness > gains.theory)) return {};
-  const std::string limit = short_text(gains.theory) + stiffness_unit(gains.axis);
+  const std::string limit = stiffness_in_words(gains.axis, gains.theory);
   const std::string theory = "that is above the limit in theory, which has no friction";
   if (!gains.tried) return theory + ": " + limit;
   return theory + " and takes the contact as linear: " + limit +
@@ -134,17 +95,17 @@ std::string contacts_text(const std::vector<GainLimit>& places) {
 
 std::string times_text(double times, const char* what) {
   if (times == 0) return std::string("without ") + what;
-  return "with " + short_text(times) + " times the " + what;
+  return "with " + short_number(times) + " times the " + what;
 }
 
 /// "swings on at 0.4 mm, 31 Hz, in the flat contact ...".
 std::string swing_text(const Swing& swing) {
   const std::string place = "in the " + swing.kind + " contact (" + swing.hand + " hand), " +
                             times_text(swing.friction, "friction") + ", after a knock of " +
-                            short_text(swing.knock) + " times the strength";
+                            short_number(swing.knock) + " times the strength";
   if (swing.amplitude == 0) return "the solver gave no answer " + place;
-  return "the probe swings on at " + short_text(1e3 * swing.amplitude) + " mm, " +
-         short_text(swing.frequency) + " Hz, " + place;
+  return "the probe swings on at " + short_number(1e3 * swing.amplitude) + " mm, " +
+         short_number(swing.frequency) + " Hz, " + place;
 }
 
 /// What would help, if nothing comes to rest.
@@ -171,19 +132,21 @@ std::vector<std::string> rest_in_words(const TuningResults& results, const AxisG
                                   : trusts_friction(results) ? "with the profile's friction"
                                                              : "with the profile's friction and "
                                                                "without any";
-    out.push_back(
-        "at these gains the probe came to rest in every contact, in a firm, a light and "
-        "a limp hand, " +
-        frictions + ", after knocks of 1, 2 and 4 times the strength: within " +
-        short_text(gains.longest_to_rest) + " s");
+    const std::string contacts =
+        results.only_kind.empty() ? "every contact"
+                                  : "the " + results.only_kind + " contact, the only one studied";
+    out.push_back("at these gains the probe came to rest in " + contacts +
+                  ", in a firm, a light and a limp hand, " + frictions +
+                  ", after knocks of 1, 2 and 4 times the strength: within " +
+                  short_number(gains.longest_to_rest) + " s");
     if (gains.swings) out.push_back("stiffer, " + swing_text(*gains.swings));
   } else if (gains.swings) {
     out.push_back("at no stiffness tried did it come to rest everywhere: at the softest, " +
                   swing_text(*gains.swings));
     out.push_back(what_would_help(results, *gains.swings));
   } else if (!gains.limits.empty() && gains.limits.front().stiffness > 0) {
-    out.push_back("its limits allow " + short_text(gains.limits.front().stiffness) +
-                  stiffness_unit(gains.axis) +
+    out.push_back("its limits allow " +
+                  stiffness_in_words(gains.axis, gains.limits.front().stiffness) +
                   ", but nothing so soft was held until it rests, so it is not recommended");
   }
   return out;
@@ -192,14 +155,12 @@ std::vector<std::string> rest_in_words(const TuningResults& results, const AxisG
 namespace {
 
 std::string let_go_text(const TuningResults& results, const AxisGains& gains) {
-  const auto stiffness = [&](double value) {
-    return short_text(value) + stiffness_unit(gains.axis);
-  };
+  const auto stiffness = [&](double value) { return stiffness_in_words(gains.axis, value); };
   const auto up_to = [&](double limit) {
     return std::isfinite(limit) ? ": in theory it may be up to " + stiffness(limit)
                                 : std::string(" in theory");
   };
-  const std::string hertz = short_text(slowest_buzz) + " Hz";
+  const std::string hertz = short_number(slowest_buzz) + " Hz";
   const std::string then = "if the hand lets go, ";
   switch (if_let_go(gains)) {
     case LetGo::unknown:
@@ -243,12 +204,12 @@ std::string passivity_in_words(const TuningResults& results, const AxisGains& ga
   out += results.device.at("max_torque") > 0
              ? "force and torque of these springs are no gradient of an energy"
              : "a force without its torque is no gradient of an energy";
-  out += ". A slow cycle of 1 mm and 0.1 rad may give the hand up to " + short_text(1e3 * energy) +
-         " mJ";
+  out += ". A slow cycle of 1 mm and 0.1 rad may give the hand up to " +
+         short_number(1e3 * energy) + " mJ";
   if (!(gains.passive_in_translation > 0)) return out + "; nor is any with the turn held";
   if (std::isfinite(gains.passive_in_translation))
-    out += "; with the turn held it is passive up to " + short_text(gains.passive_in_translation) +
-           stiffness_unit(gains.axis);
+    out += "; with the turn held it is passive up to " +
+           stiffness_in_words(gains.axis, gains.passive_in_translation);
   return out;
 }
 
@@ -259,8 +220,9 @@ std::string damper_text(const TuningResults& results, const AxisGains& gains) {
   constexpr double much = 1.2;
   if (!results.damper || results.damper->stiffness < much * gains.stiffness) return {};
   return "with a damper (the coupling damped), theory and the driver allow k " +
-         short_text(results.damper->stiffness) + " N/m, b_t " +
-         short_text(results.damper->damping) + " N·s/m: a study of that coupling tells what holds";
+         short_number(results.damper->stiffness) + " N/m, b_t " +
+         short_number(results.damper->damping) +
+         " N·s/m: a study of that coupling tells what holds";
 }
 
 /// The results of the holds of seconds.
@@ -271,10 +233,10 @@ std::vector<std::string> lasting_swings(const TuningResults& results, const Axis
     return {
         "whether the probe swings on for seconds, without friction or after a hard knock, was "
         "not looked at"};
-  const std::string at = "at " + short_text(gains.held_at) + stiffness_unit(gains.axis) +
+  const std::string at = "at " + stiffness_in_words(gains.axis, gains.held_at) +
                          (held_elsewhere(gains) ? ", far from these gains," : ",");
   const std::string knock =
-      "after a knock of " + short_text(std::ranges::max(harder_knocks)) + " times the strength";
+      "after a knock of " + short_number(std::ranges::max(harder_knocks)) + " times the strength";
   const bool trusts = trusts_friction(results);
   std::vector<std::string> out;
   if (!trusts && !gains.swings_without_friction.empty())
@@ -290,32 +252,6 @@ std::vector<std::string> lasting_swings(const TuningResults& results, const Axis
   return out;
 }
 
-/// Values are varied in one situation: the recommendation may be lower by another, or by the trial
-/// of what comes to rest.
-std::string varied_in(const TuningResults& results, GainAxis axis, const AssumedInterval& value) {
-  const auto as_is = recommend_as_varied(results, axis);
-  return "by the limits of the " + value.kind + " contact (" + value.hand + " hand) alone, " +
-         (as_is ? stiffness_text(*as_is) + " as it is, " : "");
-}
-
-std::string limiting_assumption_text(const TuningResults& results, GainAxis axis) {
-  const auto intervals = assumed_intervals(results, axis);
-  if (intervals.empty()) return {};
-  const AssumedInterval& most = intervals.front();
-  if (!change_gains(intervals))
-    return "none of the device's values that are not sure changes the gains: " +
-           stiffness_text(most.low.gains) + " at both ends of each, by the limits of the " +
-           most.kind + " contact (" + most.hand + " hand) alone";
-  const std::string unit = unit_of(most).empty() ? "" : " " + unit_of(most);
-  const auto end = [&](const AssumedEnd& at) {
-    return stiffness_text(at.gains) + " at " + short_text(at.value) + unit;
-  };
-  std::string name = most.key;
-  std::ranges::replace(name, '_', ' ');
-  return "of the device's values that are not sure, the " + name +
-         " limits most: " + varied_in(results, axis, most) + end(most.low) + ", " + end(most.high);
-}
-
 /// Empty if only one hand was studied.
 std::string hands_text(const TuningResults& results, const AxisGains& gains) {
   const auto by_hand = recommend_by_hand(results, gains.axis, gains.damping);
@@ -326,11 +262,17 @@ std::string hands_text(const TuningResults& results, const AxisGains& gains) {
       gains.limit.reason == "rest" ? ", before what comes to rest is tried" : "";
   if (stiffness(*stiffest) <= resolved * stiffness(*weakest))
     return "how the hand holds is assumed too, and does not change the gains: " +
-           stiffness_text(weakest->second) + " by the limits of each alone" + tried;
+           stiffness_in_words(gains.axis, stiffness(*weakest)) + " by the limits of each alone" +
+           tried;
   std::string out = "how the hand holds is assumed too: by the limits of each alone";
   for (const auto& [hand, alone] : by_hand)
-    out += ", the " + hand + " one allows " + stiffness_text(alone);
+    out += ", the " + hand + " one allows " + stiffness_in_words(gains.axis, alone.stiffness);
   return out + tried;
+}
+
+std::string first_sentence(const TuningResults& results, const AxisGains& gains) {
+  return (gains.stiffness > 0 ? gains_in_words(gains, results.joint) : "no stiffness is good") +
+         ", " + limit_in_words(gains.limit);
 }
 
 }  // namespace
@@ -347,34 +289,44 @@ std::optional<TuningResults> tuning_so_far(const std::string& folder, const Stud
 
 std::string gains_in_words(const TuningResults& results) {
   std::string out;
-  for (const GainAxis axis : recommended_axes(results)) {
-    const auto gains = recommend(results, axis);
-    if (!gains) continue;
-    if (!out.empty()) out += "; ";
-    out += gains->stiffness > 0 ? gains_text(*gains, results.joint) : "no stiffness is good";
-    out += ", " + limit_in_words(gains->limit);
+  for (const GainAxis axis : recommended_axes(results))
+    if (const auto gains = recommend(results, axis))
+      out += (out.empty() ? "" : "; ") + first_sentence(results, *gains);
+  return out;
+}
+
+std::vector<std::string> axis_in_words(const TuningResults& results, GainAxis axis) {
+  const auto gains = recommend(results, axis);
+  if (!gains) return {"the study has no gains to recommend"};
+  const std::vector<GainAxis> recommended = recommended_axes(results);
+  const bool alone = std::ranges::find(recommended, axis) == recommended.end();
+  std::vector<std::string> out{(alone ? "alone, with the rest soft: " : "") +
+                               first_sentence(results, *gains)};
+  const auto add = [&](const std::string& sentence) {
+    if (!sentence.empty()) out.push_back(sentence);
+  };
+  if (!alone) {
+    for (const std::string& sentence : lasting_swings(results, *gains)) add(sentence);
+    add(hands_text(results, *gains));
   }
+  add(measured_text(*gains));
+  add(beyond_theory(*gains));
+  add(passivity_in_words(results, *gains));
+  if (!alone) add(damper_text(results, *gains));
+  add(why_no_damping(results, *gains));
+  add(let_go_text(results, *gains));
+  if (alone) return out;
+  for (const std::string& sentence : sureness_in_words(results, axis)) add(sentence);
+  add(damping_ratio_text(results, *gains));
+  add(hardness_text(results, *gains));
   return out;
 }
 
 std::vector<std::string> recommendation_in_words(const TuningResults& results) {
   std::vector<std::string> out{gains_in_words(results)};
-  const auto add = [&](const std::string& sentence) {
-    if (!sentence.empty()) out.push_back(sentence);
-  };
   for (const GainAxis axis : recommended_axes(results)) {
-    const auto gains = recommend(results, axis);
-    if (!gains) continue;
-    for (const std::string& sentence : lasting_swings(results, *gains)) add(sentence);
-    add(let_go_text(results, *gains));
-    add(passivity_in_words(results, *gains));
-    add(damper_text(results, *gains));
-    add(beyond_theory(*gains));
-    add(damping_ratio_text(results, *gains));
-    add(hardness_text(results, *gains));
-    add(why_no_damping(results, *gains));
-    add(limiting_assumption_text(results, axis));
-    add(hands_text(results, *gains));
+    const std::vector<std::string> words = axis_in_words(results, axis);
+    out.insert(out.end(), words.begin() + 1, words.end());
   }
   return out;
 }

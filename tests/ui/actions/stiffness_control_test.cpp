@@ -58,7 +58,7 @@ TEST_F(StiffnessTest, one_kind_of_contact_can_be_looked_at) {
 TEST_F(StiffnessTest, the_recommended_gains_act_at_once_and_can_be_undone) {
   load("tuned");
   EXPECT_TRUE(text("recommendation").contains("stability (edge contact, light hand)"));
-  EXPECT_TRUE(text("recommendation").contains("mass 0.500 to 1.11 times"));
+  EXPECT_TRUE(text("recommendation").contains("mass 0.5 to 1.11 times"));
   const double force = 500 * shown().separation.depth;
   ASSERT_TRUE(wait_until([&] { return shown().wrench.force.norm() > 0.99 * force; }));
   find<QPushButton>("apply_recommended")->click();

@@ -97,6 +97,30 @@ TEST(Tuning, what_is_not_studied_is_said) {
   EXPECT_THAT(about, HasSubstr(R"({"kind":"jammed","reason":"no such contact was found"})"));
 }
 
+// What is recommended for one kind of contact has been held in it until it rests, as for all.
+TEST(Tuning, one_kind_of_contact_is_a_study_of_its_own) {
+  TuningRequest request = test::spoon_in_cup();
+  request.kind = "edge";
+  const TuningContacts edge = tuning_contacts(request, never, {}, 2);
+  ASSERT_EQ(edge.situations.size(), 1U);
+  EXPECT_EQ(edge.situations[0].contact.kind, ContactKind::edge);
+  request = pressed_boxes();
+  request.device.mass.assumed = false;
+  const std::string kind = name_of(tuning_contacts(request, never).situations.front().contact.kind);
+  request.kind = kind;
+  const TuningResults results = test::tuned(request);
+  EXPECT_EQ(results.only_kind, kind);
+  ASSERT_TRUE(results.ladder);
+  const auto gains = recommend(results, GainAxis::object);
+  EXPECT_TRUE(gains && gains->tried);
+  for (const TuningLine& line : results.lines) EXPECT_EQ(line.kind, kind);
+  EXPECT_THAT(recommendation_in_words(results),
+              testing::Contains(
+                  HasSubstr("came to rest in the " + kind + " contact, the only one studied")));
+  request.kind = "jammed";
+  EXPECT_THROW(tuning_contacts(request, never), InputError);
+}
+
 TEST(Tuning, stiffness_beyond_all_reason_gives_a_map_of_it) {
   TuningRequest request = pressed_boxes();
   request.device.mass.assumed = false;

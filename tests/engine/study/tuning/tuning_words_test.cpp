@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/engine/study/tuning/made_up_results.hpp"
 
 namespace sonde {
@@ -23,7 +25,9 @@ TEST(TuningWords, say_what_is_recommended_and_what_limits_it) {
   // The lower boundary by the margin of 1.5.
   EXPECT_THAT(recommendation_in_words(r),
               ElementsAre("k 1000 N/m, limited by stability (edge contact, light hand)",
-                          HasSubstr("held for seconds at 900 N/m")));
+                          HasSubstr("held for seconds at 900 N/m"),
+                          "measured to be stable up to 1500 N/m (a margin of 1.5), passive in "
+                          "theory up to 375 N/m"));
   r.lines[1].columns[0].theory_stable = 750;
   EXPECT_THAT(recommendation_in_words(r).back(),
               HasSubstr("above the limit in theory, which has no friction: 750 N/m"));
@@ -167,20 +171,52 @@ TEST(TuningWords, say_whether_the_hand_changes_the_gains) {
   TuningResults r = stable_up_to({1500});
   r.lines.push_back(line(0, GainAxis::object, {column(0, 1530)}));
   r.lines.back().hand = "firm";
-  EXPECT_EQ(recommendation_in_words(r).back(),
-            "how the hand holds is assumed too, and does not change the gains: 1000 N/m by the "
-            "limits of each alone");
+  EXPECT_THAT(recommendation_in_words(r),
+              testing::Contains("how the hand holds is assumed too, and does not change the gains: "
+                                "1000 N/m by the limits of each alone"));
   r.lines.back() = line(0, GainAxis::object, {column(0, 3000)});
   r.lines.back().hand = "firm";
   const std::string hands =
       "how the hand holds is assumed too: by the limits of each alone, the firm one allows 2000 "
       "N/m, the light one allows 1000 N/m";
-  EXPECT_EQ(recommendation_in_words(r).back(), hands);
+  EXPECT_THAT(recommendation_in_words(r), testing::Contains(hands));
   r.ladder =
       RestLadder{GainAxis::object, 0, {{900, Swing{"flat", "limp", 0, 4, 2e-3, 31, 700}, 4}}};
   EXPECT_EQ(recommendation_in_words(r).front(),
             "no stiffness is good, limited by what comes to rest (flat contact, limp hand)");
-  EXPECT_EQ(recommendation_in_words(r).back(), hands + ", before what comes to rest is tried");
+  EXPECT_THAT(recommendation_in_words(r),
+              testing::Contains(hands + ", before what comes to rest is tried"));
+}
+
+/// The first sentence that begins so.
+std::size_t place_of(const std::vector<std::string>& words, const char* begin) {
+  const auto at =
+      std::ranges::find_if(words, [&](const auto& each) { return each.starts_with(begin); });
+  EXPECT_NE(at, words.end()) << begin;
+  return std::size_t(at - words.begin());
+}
+
+TEST(TuningWords, come_in_the_order_in_which_one_asks) {
+  TuningResults r = stable_up_to({1500});
+  r.lines.push_back(line(0, GainAxis::object, {column(0, 3000)}));
+  r.lines.back().hand = "firm";
+  for (const auto& [times, stable] : {std::pair{0.5, 3000.0}, {2.0, 750.0}}) {
+    r.lines.push_back(line(0, GainAxis::object, {column(0, stable)}));
+    r.lines.back().assumed = "max_force";
+    r.lines.back().times = times;
+  }
+  for (TuningLine& each : r.lines)
+    each.columns[0].theory_released = each.columns[0].theory_released_any_swing.emplace(4500);
+  const auto words = recommendation_in_words(r);
+  const std::vector<std::size_t> places{
+      place_of(words, "k 1000 N/m"),
+      place_of(words, "held for seconds"),
+      place_of(words, "how the hand holds"),
+      place_of(words, "measured to be stable"),
+      place_of(words, "if the hand lets go"),
+      place_of(words, "it rests on values that are not sure"),
+      place_of(words, "of the device's values that are not sure")};
+  EXPECT_TRUE(std::ranges::is_sorted(places)) << testing::PrintToString(words);
 }
 
 TEST(TuningWords, theory_does_not_deny_what_came_to_rest) {
@@ -232,7 +268,7 @@ TEST(TuningWords, say_that_no_stiffness_is_passive_and_why) {
   EXPECT_THAT(words_at(2, 0, 0, 1e-3), says("mJ; nor is any with the turn held"));
   EXPECT_THAT(words_at(0, 0, 120, 1e-3),
               says("mJ; with the turn held it is passive up to 120 N/m"));
-  EXPECT_THAT(words_at(2, 400, 400, 0), testing::Not(says("passive")));
+  EXPECT_THAT(words_at(2, 400, 400, 0), testing::Not(says("no stiffness is passive")));
 }
 
 }  // namespace
