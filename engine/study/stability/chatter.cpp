@@ -26,7 +26,13 @@ constexpr std::size_t half_peak = 2;  // bins: a Hann window's main lobe
 constexpr double coherent = 0.5;      // least coherence of handle and force
 constexpr double fed = 0.02;          // share of |D|: below it the motors do no significant work
 constexpr double lasts = 0.6;         // share of the largest part: a time constant of 0.4 s or more
-constexpr std::size_t parts = 5;      // each a third of the window, half of it new
+constexpr double even = 0.02;         // of the largest second difference of a position: none
+constexpr double seen_even = 0.2;     // share of the ticks
+constexpr double all_alike = 1.01;    // ratio of second differences
+// Of a step: the saw teeth of a glide have an amplitude of 1/π of it, and what goes to and fro
+// between two readings 2/π.
+constexpr double above_steps = 0.5;
+constexpr std::size_t parts = 5;  // each a third of the window, half of it new
 
 double hann(std::size_t i, std::size_t n) {
   return 1 - elementary::cos(2 * std::numbers::pi * double(i) / double(n));
@@ -44,6 +50,22 @@ Line differences(std::span<const FeltTick> ticks, Eigen::Index row, const Vec6 F
 }
 
 double square(double x) { return x * x; }
+
+/// The size of the steps in which a position is read; 0 if it is not seen to be read in steps. What
+/// moves slowly then goes evenly, or stands, in many ticks, and in others is off that by a step; at
+/// half a step a tick it is so in every one.
+double step_of(const Line& places) {
+  const std::size_t count = places[0].size();
+  std::vector<double> bends;
+  for (std::size_t i = 0; i < count; ++i)
+    bends.push_back(std::sqrt(square(places[0][i]) + square(places[1][i]) + square(places[2][i])));
+  std::ranges::sort(bends);
+  const auto first = std::ranges::lower_bound(bends, even * bends.back());
+  const auto evenly = static_cast<std::size_t>(first - bends.begin());
+  const bool alike = bends[9 * count / 10] <= all_alike * bends[count / 2];
+  if (!(bends.back() > 0) || (double(evenly) < seen_even * double(count) && !alike)) return 0;
+  return bends[evenly + (count - evenly) / 4];
+}
 
 /// The factor of second differences on an oscillation of amplitude 1.
 double gain(double omega, double T) { return 2 - 2 * elementary::cos(omega * T); }
@@ -128,6 +150,7 @@ Swing largest_swing(const Line& places, const Line& forces, double T) {
 /// Whether a handle of this inertia oscillates like this under this force and a passive hand.
 bool by_the_loop(const Swing& swing, const FeltHandle::Range& inertia, double lag) {
   if (!(swing.places > 0 && swing.forces > 0) || swing.coherence() < coherent) return false;
+  if (swing.omega < 2 * std::numbers::pi * slowest_chatter) return false;  // its flank alone
   const Complex D = swing.stiffness(lag);
   const double square = swing.omega * swing.omega;
   if (D.imag() < fed * elementary::size(D)) return false;
@@ -157,6 +180,7 @@ Chatter chatter_of(std::span<const FeltTick> ticks, Eigen::Index row, double T,
   const double force = lasting_amplitude(forces, swing.omega, T);
   if (!(force > 0)) return {};
   const double place = force / elementary::size(swing.stiffness(lag));
+  if (place < above_steps * step_of(places)) return {};
   return {.force = force / arm,
           .frequency = swing.omega / (2 * std::numbers::pi),
           .acceleration = arm * place * swing.omega * swing.omega / std::numbers::sqrt2};
