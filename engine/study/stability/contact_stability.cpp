@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "engine/base/elementary.hpp"
@@ -74,14 +75,14 @@ Coast coast(const SimulatedDeviceParameters& device, double time) {
 }
 
 /// Where the motions along several axes are all but the same, the iteration may not converge, and
-/// what it then holds are no eigenvalues. Those of the transposed matrix are the same.
-Eigen::VectorXcd eigenvalues_of(const MatrixXd& matrix) {
+/// what it then holds are no eigenvalues. Those of the transposed matrix are the same. No value if
+/// neither converges, as for what is not a number.
+std::optional<Eigen::VectorXcd> eigenvalues_of(const MatrixXd& matrix) {
   const Eigen::EigenSolver<MatrixXd> solver(matrix, false);
   if (solver.info() == Eigen::Success) return solver.eigenvalues();
   const Eigen::EigenSolver<MatrixXd> transposed(matrix.transpose(), false);
   if (transposed.info() == Eigen::Success) return transposed.eigenvalues();
-  return Eigen::VectorXcd::Constant(
-      matrix.rows(), std::numeric_limits<double>::infinity());  // not known to be stable
+  return std::nullopt;
 }
 
 /// One sample of the loop, with K times a factor, on (x_k, v_k, x_{k−1}, F_{k−1}, F_{k−2}, ...).
@@ -97,11 +98,13 @@ class Loop {
     newer_ = coast(contact.device, (1 - rest) * contact.sample_time);
   }
 
-  /// The spectral radius for oscillations of at least `slowest` Hz.
+  /// The spectral radius for oscillations of at least `slowest` Hz; infinite if it is not known.
   double radius(double factor, double slowest = 0) const {
     const double least = 2 * std::numbers::pi * slowest * contact_.sample_time;
+    const auto values = eigenvalues_of(transition(factor));
+    if (!values) return std::numeric_limits<double>::infinity();
     double largest = 0;
-    for (const auto& value : eigenvalues_of(transition(factor)))
+    for (const auto& value : *values)
       if ((value.imag() != 0 || value.real() < 0) &&
           std::abs(elementary::atan2(value.imag(), value.real())) >= least)
         largest = std::max(largest, elementary::size(value));
@@ -114,11 +117,12 @@ class Loop {
   /// turns by a radian, to 23 times in half a swing, does not swing but slides away, on a bent way.
   bool no_swing_grows(double factor) const {
     const double most = 1 + std::max(rounding, slowest_growth * contact_.sample_time);
-    return std::ranges::none_of(eigenvalues_of(transition(factor)), [&](const auto& value) {
-      const double size = elementary::size(value);
-      const double turn = std::abs(elementary::atan2(value.imag(), value.real()));
-      return size > most && turn > 0 && turn >= elementary::log(size);
-    });
+    const auto values = eigenvalues_of(transition(factor));
+    return values && std::ranges::none_of(*values, [&](const auto& value) {
+             const double size = elementary::size(value);
+             const double turn = std::abs(elementary::atan2(value.imag(), value.real()));
+             return size > most && turn > 0 && turn >= elementary::log(size);
+           });
   }
 
  private:
@@ -194,9 +198,8 @@ double largest_dissipated_factor(const SampledContact& contact) {
   const Mat6 held = time * in_units(contact.held_stiffness) + in_units(contact.damping);
   return largest_factor([&](double factor) {
     const Mat6 taken = factor * K + held;
-    return Eigen::SelfAdjointEigenSolver<Mat6>(taken, Eigen::EigenvaluesOnly)
-               .eigenvalues()
-               .maxCoeff() <= 1;
+    const Eigen::SelfAdjointEigenSolver<Mat6> solver(taken, Eigen::EigenvaluesOnly);
+    return solver.info() == Eigen::Success && solver.eigenvalues().maxCoeff() <= 1;
   });
 }
 

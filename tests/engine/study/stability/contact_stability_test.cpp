@@ -37,6 +37,22 @@ TEST(ContactStability, one_axis_is_the_sampled_axis) {
     }
 }
 
+// Reference: what is not a number has no eigenvalues, and nothing is known to be stable.
+TEST(ContactStability, what_has_no_eigenvalues_is_stable_at_no_stiffness) {
+  SampledContact c = contact_with_delay(1e-3);
+  c.stiffness(2, 2) = 1;
+  ASSERT_GT(largest_stable_factor(c), 100);
+  for (const double none : {double(NAN), double(INFINITY)}) {
+    c.stiffness(0, 1) = none;
+    EXPECT_EQ(largest_stable_factor(c), 0) << none;
+    EXPECT_EQ(largest_stable_factor(c, slowest_buzz), 0) << none;
+    EXPECT_EQ(largest_released_factor(c), 0) << none;
+    EXPECT_EQ(largest_released_factor_of_any_swing(c), 0) << none;
+    EXPECT_EQ(largest_passive_factor_in_translation(c), 0) << none;
+    EXPECT_GT(buzz_radius(c), 1) << none;
+  }
+}
+
 TEST(ContactStability, of_several_axes_the_weakest_counts) {
   SampledContact c = contact_with_delay(1e-3);
   c.stiffness(0, 0) = 1;
