@@ -27,7 +27,7 @@ double most_object_damping(const BorneGains& most, const MassProperties& mass) n
 DeviceTraits assumed_traits() noexcept;
 
 /// The stiffness at which a sampled virtual wall rendered on this handle begins to oscillate along
-/// one axis, held by the lightest hand that a stability study considers: K (T/2 + t_d) = b, with b
+/// one axis, held by the light hand of a stability study (1 N·s/m): K (T/2 + t_d) = b, with b
 /// the damping of mechanism, hand and coupling (of that at most m/(T + t_d)/6, with m the inertia;
 /// 0 if it is unknown, since a damper may be too much for a light handle). T is the time between
 /// the device's reports, where that is longer than a tick. Translation and rotation are treated

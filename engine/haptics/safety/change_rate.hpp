@@ -7,8 +7,8 @@ namespace sonde {
 
 /// Largest rate of change of the wrench on a handle from causes other than the hand's own motion:
 /// the rise after a start, and the change to other gains, another mode or another scene. A hand
-/// with the stiffness K is moved no faster than that rate over K: 0.05 m/s for the lightest hand
-/// that is studied, 200 N/m, at 10 N/s.
+/// with the stiffness K is moved no faster than that rate over K: at 10 N/s 0.05 m/s for the light
+/// hand of a study, 200 N/m. A softer one yields, which slows the rate down (HandLoop).
 struct ChangeRate {
   double force = 10;    ///< N/s; 0: no limit
   double torque = 0.1;  ///< N·m/s; 0: no limit

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QStringList>
+
 #include "engine/study/tuning/tuning_words.hpp"
 #include "tests/engine/study/tuning/made_up_results.hpp"
 

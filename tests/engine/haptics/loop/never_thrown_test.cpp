@@ -20,7 +20,8 @@ struct Grip {
   const char* name;
   double stiffness, damping;  // N/m, N·s/m
 };
-constexpr Grip grips[] = {{"light", 200, 1}, {"firm", 1000, 10}, {"released", 0, 0}};
+constexpr Grip grips[] = {
+    {"light", 200, 1}, {"firm", 1000, 10}, {"released", 0, 0}, {"limp", 50, 0.2}};
 
 SimulatedDeviceParameters held(const DeviceProfile& profile, const Grip& grip) {
   SimulatedDeviceParameters p = simulated(profile);
