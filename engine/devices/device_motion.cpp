@@ -39,7 +39,7 @@ constexpr double bearable_rotational_damping = 0.004;  // N·m·s/rad
 
 DeviceTraits at_handle(const std::optional<DeviceTraits>& profile, const DeviceSample& sample) {
   DeviceTraits out = profile.value_or(DeviceTraits{});
-  out.known = profile.has_value();
+  out.known = profile && profile->known;
   const auto said = [](double by_device, double by_profile) {
     return by_device > 0 ? by_device : by_profile;
   };

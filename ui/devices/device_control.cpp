@@ -92,7 +92,10 @@ void DeviceControl::find_profile() {
   named_ = std::move(name);
   const DeviceProfile* found = profile_of(*named_, profiles_);
   profile_ = found ? std::optional(*found) : std::nullopt;
-  session_->set_device_profile(found ? std::optional(traits_of(simulated(*found))) : std::nullopt);
+  if (!found) return session_->set_device_profile({});
+  DeviceTraits traits = traits_of(simulated(*found));
+  traits.known = !found->damping.assumed;
+  session_->set_device_profile(traits);
 }
 
 /// Hands the probe of the session over.

@@ -88,7 +88,8 @@ DeviceTraits assumed_traits() noexcept {
 
 BorneGains stable_by_estimate(const DeviceTraits& device, double sample_time,
                               const Coupling& coupling, const MassProperties& mass) noexcept {
-  const DeviceTraits handle = device.known ? device : as_assumed(device);
+  const bool told = device.known || device.mass > 0;
+  const DeviceTraits handle = told ? device : as_assumed(device);
   const double period = std::max(sample_time, handle.period);
   const double late = period / 2 + handle.delay;
   if (!handle.force || !(late > 0)) return {};

@@ -35,6 +35,7 @@ const Wrench& Passivity::acting() const noexcept {
 void Passivity::set_device(const std::optional<DeviceTraits>& device) noexcept {
   device_ =
       device.value_or(DeviceTraits{.damping = settings_.device_damping, .delay = settings_.delay});
+  if (!device_.known) device_.damping = 0;  // what is assumed may not be there to dissipate
   ticks_late_ = whole_ticks(device_.delay, period_, most_ticks_late);
 }
 

@@ -69,7 +69,7 @@ TEST_F(CouplingPanelTest, what_is_felt_is_told_apart_from_what_waits) {
   panel->show_rendered(felt);
   EXPECT_TRUE(find<QLabel>("gains_waiting")
                   ->text()
-                  .contains("Felt now: 75 % of k 345 N/m, and 25 % of k_t 500 N/m"))
+                  .contains("Felt now: 75.0 % of k 345 N/m, and 25.0 % of k_t 500 N/m"))
       << find<QLabel>("gains_waiting")->text().toStdString();
   panel->show_rendered({});
   EXPECT_FALSE(shows("gains_waiting"));

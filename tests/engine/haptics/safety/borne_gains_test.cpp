@@ -105,6 +105,10 @@ TEST(BorneGains, of_an_unknown_device_the_least_is_assumed_at_its_handle) {
   const BorneGains stable = stable_by_estimate(unknown, servo_tick, {}, long_probe());
   EXPECT_DOUBLE_EQ(stable.translation, (0.2 / 4 + 1) / 1.5e-3);
   EXPECT_DOUBLE_EQ(stable.rotation, (1e-4 + 5e-5 / (0.05 / 4)) / 1.5e-3);
+  DeviceTraits assumed{.damping = 2, .delay = 1e-3, .mass = 0.3, .known = false};
+  EXPECT_DOUBLE_EQ(stable_by_estimate(assumed, servo_tick, {}, long_probe()).translation,
+                   3 / 1.5e-3)
+      << "what its profile assumes comes first";
   DeviceTraits no_torque = unknown;
   no_torque.max_torque = 0;
   EXPECT_EQ(stable_by_estimate(no_torque, servo_tick, {}, long_probe()).rotation, 0);

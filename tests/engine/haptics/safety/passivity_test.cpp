@@ -243,6 +243,22 @@ TEST(Passivity, no_more_damping_is_taken_than_the_device_bears) {
   EXPECT_NEAR(force, 30 * 0.25, 1e-6);
 }
 
+// Reference: F·x, less b v² dt of what the mechanism is known to take.
+TEST(Passivity, damping_that_is_assumed_is_not_counted_on) {
+  const auto excess = [](bool known) {
+    Passivity passivity(mass(), {}, sample_time);
+    passivity.set_device(DeviceTraits{.damping = 2, .known = known});
+    passivity.restart({});
+    Wrench push;
+    push.force.z() = 3;
+    passivity.rendered(push);
+    passivity.observe({Quat::Identity(), Vec3(0, 0, 1e-4)}, sample_time);
+    return passivity.energy().excess;
+  };
+  EXPECT_NEAR(excess(true), 3e-4 - 2 * 1e-8 / sample_time, 1e-12);
+  EXPECT_NEAR(excess(false), 3e-4, 1e-12);
+}
+
 TEST(Passivity, a_device_that_is_put_away_is_forgotten) {
   Passivity passivity(mass(), {.control = true, .max_damping = 3}, sample_time);
   const auto largest = [&] {
