@@ -115,7 +115,7 @@ TEST_F(Devices, an_arm_is_listed_with_its_librarys_version) {
   ::unsetenv("SONDE_LIBDHD");
   EXPECT_THAT(text.out,
               HasSubstr("libdhd/0  1451:0000  sigma.7 right-handed (force arm)\n  opens: position, "
-                        "force to 12 N and 0.2 N·m, 1000 Hz, 1 buttons\n"));
+                        "force to 12 N and 0.2 N·m, stiff to 4000 N/m, 1000 Hz, 1 buttons\n"));
   EXPECT_THAT(text.out, HasSubstr("libdhd (Force Dimension): 3.14.1.0, " STANDIN_DHD "\n"));
   EXPECT_EQ(all.at("devices").at(0).at("kind"), "force_arm");
   EXPECT_EQ(all.at("devices").at(0).at("serial"), "4000");
