@@ -7,7 +7,7 @@
 namespace sonde::reference {
 
 Calibration calibrate_rows(const Pair& pair, const std::string& name, std::span<const Row> rows) {
-  const Stop never = [] { return false; };
+  const Progress on = [](double) { return true; };
   std::vector<Pose> poses;
   std::vector<double> pdg, pdt;
   for (const Row& row : rows) {
@@ -16,8 +16,8 @@ Calibration calibrate_rows(const Pair& pair, const std::string& name, std::span<
     pdg.push_back(row.best);
     pdt.push_back(row.pdt);
   }
-  Calibration out{{calibrate_searches(pair, name, Method::pdg, poses, pdg, 1, never),
-                   calibrate_searches(pair, name, Method::pdt, poses, pdt, 1, never)}};
+  Calibration out{{calibrate_searches(pair, name, Method::pdg, poses, pdg, 1, on),
+                   calibrate_searches(pair, name, Method::pdt, poses, pdt, 1, on)}};
   for (CalibrationSeries& series : out.series) series.family = family_of(name);
   return out;
 }
