@@ -20,6 +20,7 @@ using HandWay = std::function<double(double)>;
 struct HandKind {
   const char* name;
   HandWay (*draw)(Random&);
+  bool tried = true;  ///< whether the detector's rules for an encoder's steps were tried on it
 };
 
 namespace hands {
@@ -63,9 +64,23 @@ inline HandWay rest(Random& random) {
   return [=](double t) { return depth + drift * t; };
 }
 
+inline HandWay strokes(Random& random) {
+  const double size = random.uniform(5e-4, 1e-2), rate = random.uniform(0.3, 3);
+  return [=](double t) { return size * std::abs(2 * (rate * t - std::floor(rate * t)) - 1); };
+}
+inline HandWay fades(Random& random) {
+  const double size = random.uniform(2e-4, 4e-3), hertz = random.uniform(2, 12);
+  const double depth = random.uniform(0, 5e-3), lasts = random.uniform(0.1, 1);
+  return [=](double t) { return depth + size * std::exp(-t / lasts) * std::sin(turn * hertz * t); };
+}
+inline HandWay slips(Random& random) {
+  const double speed = random.uniform(1e-3, 0.03), every = random.uniform(0.1, 0.4);
+  const double back = random.uniform(0.2, 1);
+  return [=](double t) { return speed * (t - back * every * std::floor(t / every)); };
+}
+
 }  // namespace hands
 
-/// Every other one was there when the detector was made; the rest test it.
 inline const HandKind hand_kinds[] = {
     {"a glide", [](Random& r) { return hands::glide(r); }},
     {"a slow drift with a tremor",
@@ -80,6 +95,9 @@ inline const HandKind hand_kinds[] = {
      [](Random& r) { return hands::sum(hands::taps(r), hands::tremor(r, 8, 18, 3e-4)); }},
     {"a reach with a tremor",
      [](Random& r) { return hands::sum(hands::reach(r), hands::tremor(r, 13, 18, 5e-4)); }},
+    {"strokes to and fro", [](Random& r) { return hands::strokes(r); }, false},
+    {"a push that fades", [](Random& r) { return hands::fades(r); }, false},
+    {"slips", [](Random& r) { return hands::slips(r); }, false},
 };
 
 /// What holds the handle, and what it is pressed into.
