@@ -180,7 +180,10 @@ Chatter chatter_of(std::span<const FeltTick> ticks, Eigen::Index row, double T,
   const double force = lasting_amplitude(forces, swing.omega, T);
   if (!(force > 0)) return {};
   const double place = force / elementary::size(swing.stiffness(lag));
-  if (place < above_steps * step_of(places)) return {};
+  // An oscillation of over a quarter of the rate looks like steps itself: on a circle all second
+  // differences are alike, and at a third of the rate some vanish.
+  const bool may_be_steps = swing.omega * T < std::numbers::pi / 2;
+  if (may_be_steps && place < above_steps * step_of(places)) return {};
   return {.force = force / arm,
           .frequency = swing.omega / (2 * std::numbers::pi),
           .acceleration = arm * place * swing.omega * swing.omega / std::numbers::sqrt2};

@@ -226,6 +226,22 @@ TEST(Chatter, a_limit_cycle_is_found_through_the_steps_of_the_encoder) {
     }
 }
 
+/// On a circle all second differences are alike, as those of a fine encoder's steps.
+TEST(Chatter, a_fast_limit_cycle_on_a_circle_is_found) {
+  for (const double hertz : {350.0, 400.0}) {
+    constexpr double mass = 0.05, steady = 3;
+    auto ticks = run(handle_for(mass, hertz), 2, cycle(mass, hertz, steady),
+                     [&](double) { return -steady; });
+    const auto quarter = static_cast<std::size_t>(std::lround(1 / (4 * hertz * T)));
+    for (std::size_t i = ticks.size() - 1; i >= quarter; --i) {
+      ticks[i].place[0] = ticks[i - quarter].place[2];
+      ticks[i].wrench[0] = ticks[i - quarter].wrench[2];
+    }
+    const Chatter found = chatter(std::span(ticks).last(300), T, felt_handle(mass, 0, T / 2), 0.05);
+    EXPECT_TRUE(found.buzzes()) << hertz;
+  }
+}
+
 TEST(Chatter, too_few_ticks_and_no_force_are_none) {
   const FeltHandle handle = felt_handle(0.3, 0, T / 2);
   EXPECT_EQ(chatter({}, T, handle, 0.1).force, 0);
