@@ -11,6 +11,11 @@ constexpr double Coupling::*gains[] = {&Coupling::k, &Coupling::k_t, &Coupling::
                                        &Coupling::b_r};
 constexpr double Coupling::*limits[] = {&Coupling::max_force, &Coupling::max_torque};
 
+bool same_gains(const Coupling& a, const Coupling& b) {
+  return a.mode == b.mode &&
+         std::ranges::all_of(gains, [&](double Coupling::*gain) { return a.*gain == b.*gain; });
+}
+
 }  // namespace
 
 void GainGlide::restart(const Coupling& coupling) noexcept {
@@ -18,13 +23,18 @@ void GainGlide::restart(const Coupling& coupling) noexcept {
   blend_ = {.now = coupling, .before = coupling};
   next_.reset();
   there_ = true;
+  turned_back_ = false;
 }
 
 void GainGlide::set(const Coupling& wanted) noexcept {
   if (blend_.share < 1) {
     next_ = wanted;
+    if (!same_gains(wanted, to_)) return;
+    for (double Coupling::*limit : limits) to_.*limit = wanted.*limit;
+    next_.reset();
     return;
   }
+  turned_back_ = false;
   from_ = blend_.now;
   to_ = wanted;
   share_ = 0;
@@ -35,7 +45,7 @@ const GainGlide::Blend& GainGlide::next(double dt, double most) noexcept {
   if (there_) return blend_;
   const double step = dt > 0 ? dt : 0;
   const bool held = step > 0 && !(most > 0);
-  if (held && next_) turn_back();
+  if (held && next_ && !turned_back_) turn_back();
   share_ += std::min(time_ > 0 ? step / time_ : 1, most);
   there_ = share_ >= 1 - 1e-12;  // within rounding of the last step
   blend_ = {.now = to_, .before = to_};
@@ -50,6 +60,7 @@ const GainGlide::Blend& GainGlide::next(double dt, double most) noexcept {
 void GainGlide::turn_back() noexcept {
   std::swap(from_, to_);
   share_ = 1 - share_;
+  turned_back_ = true;
 }
 
 void GainGlide::blend(double share) noexcept {

@@ -14,7 +14,8 @@ namespace sonde {
 /// to it or from it, the wrench is blended, in the same time, from that of the old mode to that of
 /// the new one. Other changes during that time wait for its end, except falling limits. A caller
 /// may slow the glide down, so that the force does not change faster than a hand can resist, and
-/// hold it. A change of mode that is held goes back where another change waits for it.
+/// hold it. A change of mode that is held goes back, once, where another change waits for it; where
+/// the way back is held too, both wait.
 class GainGlide {
  public:
   struct Blend {
@@ -46,6 +47,7 @@ class GainGlide {
   double time_;
   double share_ = 0;  ///< share of the glide that is done
   bool there_ = true;
+  bool turned_back_ = false;  ///< whether this change of mode has gone back
   Coupling from_, to_;
   std::optional<Coupling> next_;  ///< the newest change that waits for the end of a change of mode
   Blend blend_;

@@ -141,6 +141,21 @@ TEST(GainGlide, a_change_of_mode_that_is_held_goes_back_for_a_newer_wish) {
   EXPECT_EQ(glide.next(1e-3).now.k, 100);
 }
 
+// Both ways may be held: one by its stiffness, the other by that against turns.
+TEST(GainGlide, a_change_of_mode_goes_back_once_and_then_stays_while_it_is_held) {
+  GainGlide glide(gains(500), 0.1);
+  Coupling stiff = gains(500);
+  stiff.mode = Coupling::Mode::classic;
+  glide.set(stiff);
+  glide.next(0.03);
+  glide.set(stiff);
+  EXPECT_NEAR(glide.next(1e-3, 0).share, 0.3, 1e-12) << "no newer wish: the same again";
+  glide.set(gains(100));
+  for (int tick = 0; tick < 10; ++tick) EXPECT_NEAR(glide.next(1e-3, 0).share, 0.7, 1e-12) << tick;
+  for (int tick = 0; tick < 150; ++tick) glide.next(1e-3);
+  EXPECT_EQ(glide.next(1e-3).now.k, 100);
+}
+
 TEST(GainGlide, a_limit_that_falls_does_not_wait_for_the_other_mode) {
   GainGlide glide(gains(500), 0.1);
   Coupling classic = gains(500), careful = gains(500);
