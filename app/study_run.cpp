@@ -6,7 +6,6 @@
 #include <iostream>
 #include <limits>
 #include <map>
-#include <optional>
 #include <thread>
 
 #include "app/interrupt.hpp"
@@ -70,7 +69,7 @@ void run_study(const Study& study, const StudyOptions& options, StudyFiles join,
   const Shard shard = options.shard.empty() ? Shard{} : shard_of(options.shard).value();
   ProgressLine progress(options.quiet, ProgressLine::Elsewhere::lines);
   progress.say(study.kind + ", the first parts");
-  std::optional<std::size_t> finished;
+  std::size_t finished = 0;
   compute_parts(options.out, study, shard, threads_of(options), stop,
                 [&](std::size_t done, std::size_t total, double under_way) {
                   if (on_part && finished != done) on_part(progress);

@@ -40,7 +40,7 @@ std::vector<TimedPose> path_to_study(const Scene& scene);
 using StudyFiles = std::vector<StudyFile> (*)(const std::string& folder, const StudyFolder& study);
 
 /// Computes the missing parts in the folder and, once all are there, writes the joined result.
-/// Prints on stderr what remains to do, unless quiet. `on_part` is called after each finished part,
+/// Prints on stderr what remains to do, unless quiet. `on_part` is called after finished parts,
 /// from any thread, one at a time.
 void run_study(const Study& study, const StudyOptions& options, StudyFiles join,
                const std::function<void(ProgressLine&)>& on_part = {});

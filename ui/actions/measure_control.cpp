@@ -27,7 +27,8 @@ QString nearest_profile(const QStringList& ids, const QString& device) {
     profiles.back().id = id.toStdString();
   }
   const DeviceProfile* found = profile_of(device.toStdString(), profiles);
-  return found ? text(found->id) : ids.value(0);
+  if (found) return text(found->id);
+  return profiles.empty() ? ids.value(0) : text(profiles.front().id);
 }
 
 QString reason_of(const PulseProgress& progress) {
