@@ -187,18 +187,21 @@ void Search::fitted_starts() {
 
 void Search::turned_ends() {
   if (!rotates()) return;
-  for (const Vec6& end : optima_.nearest(tuned_.first_ends))
+  for (const Vec6& end : optima_.nearest(tuned_.first_ends)) {
+    if (is_over()) return;
     for (const Vec6& y :
          turned_images(chart_, fixed_.mass, end, (1 - tuned_.same / 2) * optima_.best())) {
       if (is_over()) return;
       if (!starts_.lane(0).leaps(Method::pdg).is_free(chart_, y)) continue;
+      const double before = optima_.best();
       round(
           [&](std::size_t, std::size_t lane) {
             return starts_.push_apart_and_descend(y, aim(Method::pdg), lane);
           },
           1);
-      break;
+      if (optima_.best() < before) break;
     }
+  }
 }
 
 void Search::from_ends(SketchSearch& sketches, Method method, std::size_t most) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/geometry/chart.hpp"
+#include "engine/geometry/random.hpp"
 #include "engine/penetration/search/static_search.hpp"
 #include "tests/support/fitted_parts.hpp"
 #include "tests/support/shapes.hpp"
@@ -76,6 +77,46 @@ TEST(FineFits, a_plug_that_is_the_wrong_way_round_turns_back) {
     for (const double degrees : {171.0, 175.0, 180.0})
       found += turns_back(*section, 3e-4, 0.03, turned(degrees));
   EXPECT_EQ(found, 9) << "3 with pushes in the device's chart";
+}
+
+/// Both, as they lie; they may overlap.
+PolygonSoup joined(PolygonSoup a, const PolygonSoup& b, const Vec3& offset) {
+  const auto first = static_cast<std::uint32_t>(a.points.size());
+  for (const Vec3& x : b.points) a.points.push_back(x + offset);
+  for (auto polygon : b.polygons) {
+    for (auto& corner : polygon) corner += first;
+    a.polygons.push_back(polygon);
+  }
+  return a;
+}
+
+// Reference: the pose in the seat is free, so its distance is an upper bound of the depth. A collar
+// and a block at one side move both centres of mass off the axis of the fit and turn the principal
+// axes, so no start knows that axis.
+TEST(FineFits, a_part_with_a_collar_finds_its_seat_beside_the_centres_of_mass) {
+  const double room = 1e-4;
+  test::Section flattened = test::regular_section(24, 0.006);
+  std::erase_if(flattened, [](const auto& corner) { return corner.x() > 0.0045; });
+  const test::Section sections[] = {flattened, test::regular_section(6, 0.005),
+                                    test::toothed_section(7, 0.005, 0.0062)};
+  int found = 0;
+  for (const test::Section& section : sections) {
+    const Pair pair(test::body(joined(test::fitted_plug(section, 0.014, {}),
+                                      test::box({0.02, 0.012, 0.004}), {-0.003, 0.002, 0.0155})),
+                    test::body(joined(test::fitted_socket(test::grown(section, room), 2, 0.007, {}),
+                                      test::box({0.02, 0.02, 0.01}), {0.021, 0.008, -0.001})));
+    const Chart home(pair.probe().mass, Pose{Quat::Identity(), {0, 0, 0.002}});
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+      Random random(seed);
+      const Pose device = home.pose(random.in_ball(0.004));
+      const double back = Chart(pair.probe().mass, device).coordinates(home.device()).norm();
+      const Separation got = separate_static(pair, device);
+      if (got.status == Status::separated) continue;
+      ASSERT_EQ(got.status, Status::penetrating) << seed;
+      found += got.depth <= 1.02 * back;
+    }
+  }
+  EXPECT_GE(found, 17) << "of 18; 13 when triangles were pushed about their corners";
 }
 
 }  // namespace

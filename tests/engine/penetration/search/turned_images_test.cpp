@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/geometry/random.hpp"
 #include "engine/geometry/rotation.hpp"
 #include "engine/penetration/search/static_search.hpp"
 #include "engine/proximity/queries/intersect.hpp"
@@ -52,28 +53,31 @@ TEST(TurnedImages, are_all_parts_of_a_round_about_the_axes_of_both_bodies) {
   EXPECT_EQ(std::ssize(turned_images(chart, socket->mass, end, limit)), below);
 }
 
-// Reference: the nearest of seats that are all alike, in closed form: a plug with n teeth that is
-// turned about its axis is as well off in any of its n seats.
+// Reference: the nearest of seats that are all alike is free, so its distance is an upper bound of
+// the depth.
 TEST(TurnedImages, the_nearest_of_seats_that_are_alike_is_found) {
-  int missed = 0;
-  for (const int teeth : {3, 5, 6}) {
-    const test::Section section = test::toothed_section(teeth, 6 * mm, 9 * mm);
-    const double room = 0.05 * mm;
-    const Pair pair(test::body(test::fitted_plug(section, 20 * mm, {})),
-                    test::body(test::fitted_socket(test::grown(section, room), 2, 16 * mm, {})));
-    for (const double part : {0.25, 1.3, 2.2})
-      for (const std::uint64_t seed : {1U, 2U}) {
-        const double seat = 2 * std::numbers::pi / teeth;
-        const double aside = (part - std::round(part)) * seat;
-        const Pose device = turned_about_z(part * seat);
-        const Chart chart(pair.probe().mass, device);
-        const double back = chart.coordinates(turned_about_z(std::round(part) * seat)).norm();
-        const Separation got = separate_static(pair, device, {.seed = seed});
-        ASSERT_EQ(got.status, Status::penetrating) << teeth << ' ' << part << ' ' << aside;
-        missed += got.depth > 1.001 * back;
-      }
+  int found = 0, all = 0;
+  for (const int teeth : {5, 6, 8}) {
+    const test::Section section = test::toothed_section(teeth, 7 * mm, 8.5 * mm);
+    const Pair pair(
+        test::body(test::fitted_plug(section, 12 * mm, {})),
+        test::body(test::fitted_socket(test::grown(section, 0.03 * mm), 2, 9 * mm, {}, 4 * mm)));
+    for (std::uint64_t seed = 0; seed < 4; ++seed, ++all) {
+      Random random(seed);
+      const double seat = 2 * std::numbers::pi / teeth, height = 7.2 * mm;
+      Pose device = turned_about_z(random.uniform(-1, 1) * 1.5, height);
+      device.p += 7 * mm * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), 0);
+      device.p.z() -= 6 * mm * random.uniform(0, 1);
+      const Chart chart(pair.probe().mass, device);
+      double back = std::numeric_limits<double>::infinity();
+      for (int k = 0; k < teeth; ++k)
+        back = std::min(back, chart.coordinates(turned_about_z(k * seat, height)).norm());
+      const Separation got = separate_static(pair, device);
+      ASSERT_EQ(got.status, Status::penetrating) << teeth << ' ' << seed;
+      found += got.depth <= 1.01 * back;
+    }
   }
-  EXPECT_EQ(missed, 0);
+  EXPECT_GE(found, all - 1) << "of " << all;
 }
 
 }  // namespace
