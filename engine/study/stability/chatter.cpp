@@ -5,10 +5,12 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <numbers>
 #include <vector>
 
 #include "engine/base/elementary.hpp"
+#include "engine/base/ordering.hpp"
 #include "engine/geometry/rotation.hpp"
 #include "engine/study/parts/fourier.hpp"
 
@@ -59,7 +61,7 @@ double step_of(const Line& places) {
   std::vector<double> bends;
   for (std::size_t i = 0; i < count; ++i)
     bends.push_back(std::sqrt(square(places[0][i]) + square(places[1][i]) + square(places[2][i])));
-  std::ranges::sort(bends);
+  ordering::sort(bends.begin(), bends.end(), std::less<>());
   const auto first = std::ranges::lower_bound(bends, even * bends.back());
   const auto evenly = static_cast<std::size_t>(first - bends.begin());
   const bool alike = bends[9 * count / 10] <= all_alike * bends[count / 2];

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/base/elementary.hpp"
+#include "engine/base/ordering.hpp"
 #include "engine/base/threads.hpp"
 #include "engine/settings/settings.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
@@ -281,7 +282,7 @@ std::shared_ptr<const TuningPlan> study_plan(const TuningRequest& request, unsig
   if (!(plan->held_stiffness > 0)) {
     for (const Look& look : looks)
       if (look.axis == plan->axis) plan->dampings.push_back({look.share, look.unmeasured});
-    std::ranges::sort(plan->dampings, {}, &DampingToTry::share);
+    ordering::sort(plan->dampings, std::less<>(), &DampingToTry::share);
   }
   return plan;
 }
