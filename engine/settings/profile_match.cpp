@@ -19,10 +19,6 @@ std::string letters_of(std::string_view text) {
   return out;
 }
 
-bool is_measured(const DeviceProfile& profile) {
-  return letters_of(profile.id).ends_with(measured) || letters_of(profile.name).ends_with(measured);
-}
-
 /// The number of letters that name the model in a device's name; 0: it is not named.
 std::size_t named_by(const DeviceProfile& profile, const std::string& device) {
   std::size_t longest = 0;
@@ -40,6 +36,10 @@ std::size_t named_by(const DeviceProfile& profile, const std::string& device) {
 
 bool is_named_in(const DeviceProfile& profile, std::string_view device_name) {
   return named_by(profile, letters_of(device_name)) > 0;
+}
+
+bool is_measured(const DeviceProfile& profile) {
+  return letters_of(profile.id).ends_with(measured) || letters_of(profile.name).ends_with(measured);
 }
 
 const DeviceProfile* profile_of(std::string_view device_name,

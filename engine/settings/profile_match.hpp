@@ -13,6 +13,9 @@ namespace sonde {
 /// profile measured on a device ("sigma.7-measured") is of the model that was measured.
 bool is_named_in(const DeviceProfile& profile, std::string_view device_name);
 
+/// Whether it was measured on a device, as its id or name says.
+bool is_measured(const DeviceProfile& profile);
+
 /// The profile of the model that a connected device's name says: of several, the one of the longest
 /// name ("Touch X", not "Touch"); of these, a measured one, and then the first. Null if there is
 /// none.

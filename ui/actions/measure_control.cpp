@@ -22,10 +22,10 @@ constexpr int look_ms = 50;
 QString nearest_profile(const QStringList& ids, const QString& device) {
   std::vector<DeviceProfile> profiles;
   for (const QString& id : ids) {
-    if (id.endsWith(QLatin1String("measured"))) continue;
     profiles.emplace_back();
     profiles.back().id = id.toStdString();
   }
+  std::erase_if(profiles, is_measured);
   const DeviceProfile* found = profile_of(device.toStdString(), profiles);
   if (found) return text(found->id);
   return profiles.empty() ? ids.value(0) : text(profiles.front().id);

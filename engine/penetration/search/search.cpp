@@ -135,16 +135,14 @@ void Search::first_starts() {
     from_ends(sketches_, options_.method,
               rotates() && sketches_.is_clear(tuned_.clear) ? tuned_.few_ends : tuned_.first_ends);
   }
-  push_device_pose(options_.method);
+  push_from(Vec6::Zero(), options_.method);
   if (!evidence_.sketches_see()) near_starts(options_.method);
 }
 
-void Search::push_device_pose(Method method) {
-  round(
-      [&](std::size_t, std::size_t lane) {
-        return starts_.push_apart_and_descend(Vec6::Zero(), aim(method), lane);
-      },
-      1);
+void Search::push_from(const Vec6& y, Method method) {
+  round([&](std::size_t,
+            std::size_t lane) { return starts_.push_apart_and_descend(y, aim(method), lane); },
+        1);
 }
 
 void Search::near_starts(Method method) {
@@ -194,11 +192,7 @@ void Search::turned_ends() {
       if (is_over()) return;
       if (!starts_.lane(0).leaps(Method::pdg).is_free(chart_, y)) continue;
       const double before = optima_.best();
-      round(
-          [&](std::size_t, std::size_t lane) {
-            return starts_.push_apart_and_descend(y, aim(Method::pdg), lane);
-          },
-          1);
+      push_from(y, Method::pdg);
       if (optima_.best() < before) break;
     }
   }
@@ -245,7 +239,7 @@ void Search::starts_outside(std::size_t most) {
 
 void Search::first_translation() {
   most_steps_ = tuned_.descent_steps;
-  push_device_pose(Method::pdt);
+  push_from(Vec6::Zero(), Method::pdt);
   if (!std::isfinite(translated_.depth)) starts_outside(1);
   most_steps_ = std::numeric_limits<int>::max();
 }
@@ -265,7 +259,7 @@ void Search::turn_from_translation() {
 }
 
 void Search::first_translations() {
-  push_device_pose(Method::pdt);
+  push_from(Vec6::Zero(), Method::pdt);
   if (!has_sketches()) return near_starts(Method::pdt);
   SketchSearch sketches(chart_, sketch_goal(Method::pdt), starts_.sketch_descents(), threads_,
                         tuned_);

@@ -97,7 +97,8 @@ class Search {
   /// Starts from the ends on the sketches and from the device pose.
   void first_starts();
 
-  void push_device_pose(Method method);
+  /// One start from that overlap, or from y itself if it is free. Zero is the device pose.
+  void push_from(const Vec6& y, Method method);
 
   void near_starts(Method method);
 

@@ -8,6 +8,7 @@
 #include "engine/geometry/chart.hpp"
 #include "engine/geometry/random.hpp"
 #include "engine/penetration/search/static_search.hpp"
+#include "tests/support/defects.hpp"
 #include "tests/support/fitted_parts.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -79,17 +80,6 @@ TEST(FineFits, a_plug_that_is_the_wrong_way_round_turns_back) {
   EXPECT_EQ(found, 9) << "3 with pushes in the device's chart";
 }
 
-/// Both, as they lie; they may overlap.
-PolygonSoup joined(PolygonSoup a, const PolygonSoup& b, const Vec3& offset) {
-  const auto first = static_cast<std::uint32_t>(a.points.size());
-  for (const Vec3& x : b.points) a.points.push_back(x + offset);
-  for (auto polygon : b.polygons) {
-    for (auto& corner : polygon) corner += first;
-    a.polygons.push_back(polygon);
-  }
-  return a;
-}
-
 // Reference: the pose in the seat is free, so its distance is an upper bound of the depth. A collar
 // and a block at one side move both centres of mass off the axis of the fit and turn the principal
 // axes, so no start knows that axis.
@@ -101,10 +91,11 @@ TEST(FineFits, a_part_with_a_collar_finds_its_seat_beside_the_centres_of_mass) {
                                     test::toothed_section(7, 0.005, 0.0062)};
   int found = 0;
   for (const test::Section& section : sections) {
-    const Pair pair(test::body(joined(test::fitted_plug(section, 0.014, {}),
-                                      test::box({0.02, 0.012, 0.004}), {-0.003, 0.002, 0.0155})),
-                    test::body(joined(test::fitted_socket(test::grown(section, room), 2, 0.007, {}),
-                                      test::box({0.02, 0.02, 0.01}), {0.021, 0.008, -0.001})));
+    const Pair pair(
+        test::body(test::joined(test::fitted_plug(section, 0.014, {}),
+                                test::box({0.02, 0.012, 0.004}), {-0.003, 0.002, 0.0155})),
+        test::body(test::joined(test::fitted_socket(test::grown(section, room), 2, 0.007, {}),
+                                test::box({0.02, 0.02, 0.01}), {0.021, 0.008, -0.001})));
     const Chart home(pair.probe().mass, Pose{Quat::Identity(), {0, 0, 0.002}});
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
       Random random(seed);

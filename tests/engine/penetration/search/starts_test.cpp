@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/proximity/queries/intersect.hpp"
+#include "tests/support/defects.hpp"
 #include "tests/support/fitted_parts.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -90,17 +91,11 @@ TEST(Starts, surfaces_have_no_sketches) {
 TEST(FittedStarts, the_spin_and_the_place_across_the_axis_are_those_of_the_least_overlap) {
   test::Section hole = test::toothed_section(5, 0.008, 0.016);
   const auto plug = test::body(test::fitted_plug(hole, 0.007, {}));
-  PolygonSoup ring = test::fitted_socket(test::grown(hole, 0.0006), 1.6, 0.010, {});
   // A block at one side moves the centre of mass, and turns no principal axis by more than a
   // little.
-  const PolygonSoup block = test::box({0.01, 0.012, 0.016});
-  const auto first = static_cast<std::uint32_t>(ring.points.size());
-  for (const Vec3& x : block.points) ring.points.push_back(x + Vec3(0.04, 0, 0));
-  for (auto polygon : block.polygons) {
-    for (auto& corner : polygon) corner += first;
-    ring.polygons.push_back(polygon);
-  }
-  const auto body = test::body(ring);
+  const auto body =
+      test::body(test::joined(test::fitted_socket(test::grown(hole, 0.0006), 1.6, 0.010, {}),
+                              test::box({0.01, 0.012, 0.016}), {0.04, 0, 0}));
   ASSERT_GT(body->mass.com.head<2>().norm(), 0.0006) << "the axes would meet without a search";
   const Pair pair{plug, body};
   const Pose device{Quat(Eigen::AngleAxisd(0.6, Vec3(0.05, 0.02, 1).normalized())),
