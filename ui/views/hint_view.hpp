@@ -13,19 +13,9 @@
 
 #include "engine/geometry/pose.hpp"
 #include "ui/views/force_note.hpp"
+#include "ui/views/legend_mark.hpp"
 
 namespace sonde::ui {
-
-/// The style of an item, besides its colour.
-enum class LegendMark { filled, clear, mesh, wires, ring };
-
-/// One line of the legend: a colour and a mark, and what they stand for.
-struct LegendLine {
-  QColor colour;
-  QString text;
-  LegendMark mark = LegendMark::filled;
-  QColor right{};  ///< of the right half of the mark; none: as the left
-};
 
 /// A label, its point on screen, and the line there that it must not cover. Below its text stands
 /// its note: what is wrong now as a warning, what a study says as plain text, and a small curve,

@@ -88,23 +88,6 @@ TEST_F(DevicePanelTest, a_connected_device_shows_its_numbers_with_units) {
   EXPECT_TRUE(find<QLabel>("device_reason")->text().contains("no real-time scheduling"));
 }
 
-TEST_F(DevicePanelTest, it_says_by_what_gains_that_wait_are_judged) {
-  panel->show_settings(puck, {});
-  SourceReport arm = report(true);
-  const auto said = [&] {
-    panel->show_report(puck, arm);
-    return find<QLabel>("device_reason")->text();
-  };
-  EXPECT_TRUE(said().contains("No profile has its name")) << said().toStdString();
-  EXPECT_TRUE(said().contains("0.200 N·s/m"));
-  arm.profile.emplace();
-  arm.profile->id = "sigma.7";
-  arm.profile->mass.assumed = true;
-  EXPECT_TRUE(said().contains("by the profile sigma.7. Assumed: mass.")) << said().toStdString();
-  arm.device.capabilities.force = false;
-  EXPECT_FALSE(said().contains("wait"));
-}
-
 TEST_F(DevicePanelTest, it_shows_what_means_something_to_the_device_and_no_more) {
   const auto shown = [this](const char* name) { return find<QWidget>(name)->isVisible(); };
   panel->show_settings(MouseSource{}, {});
