@@ -13,6 +13,7 @@
 #include "app/commands.hpp"
 #include "app/mesh_options.hpp"
 #include "app/result_table.hpp"
+#include "engine/platform/read_stream.hpp"
 #include "engine/sonde.hpp"
 #include "engine/text/csv_rows.hpp"
 
@@ -53,7 +54,7 @@ constexpr std::array<Column, 10> columns_of_rays = [] {
 
 std::string file_of(const PointsOptions& options) {
   const std::string& file = options.points.empty() ? options.rays : options.points;
-  return file == "-" ? "/dev/stdin" : file;
+  return file == "-" ? standard_input_name : file;
 }
 
 std::vector<Asked> read_asked(const PointsOptions& options) {

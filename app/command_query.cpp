@@ -19,6 +19,7 @@
 #include "app/study_run.hpp"
 #include "app/timed.hpp"
 #include "engine/base/threads.hpp"
+#include "engine/platform/read_stream.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/sonde.hpp"
 #include "engine/study/parts/study_parts.hpp"
@@ -245,7 +246,7 @@ void run(const QueryOptions& options) {
   Accuracy accuracy(options.accuracy, options.solver);
   check_files(options, scene);
   const std::vector<Pose> poses =
-      read_poses_or_path(options.poses == "-" ? "/dev/stdin" : options.poses);
+      read_poses_or_path(options.poses == "-" ? standard_input_name : options.poses);
 
   ProgressLine progress(options.output.quiet);
   const Pair pair = load_bodies(scene, options.output.quiet, progress);

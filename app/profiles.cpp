@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/options.hpp"
+#include "engine/platform/program.hpp"
 
 namespace sonde::app {
 namespace {
@@ -13,9 +14,7 @@ namespace fs = std::filesystem;
 
 /// Profiles of the installed program; in a build folder a link leads to those of the source tree.
 std::vector<fs::path> profile_folders() {
-  std::error_code error;
-  const fs::path here = fs::read_symlink("/proc/self/exe", error).parent_path();
-  return {here / "../share/sonde/devices"};
+  return {program_file().parent_path() / "../share/sonde/devices"};
 }
 
 }  // namespace

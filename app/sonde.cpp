@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // sonde: the program without a window.
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "app/command_line.hpp"
 #include "app/interrupt.hpp"
 #include "engine/base/error.hpp"
+#include "engine/platform/program.hpp"
 #include "engine/simd/instruction_set.hpp"
 #include "engine/text/printable.hpp"
 
@@ -47,11 +52,14 @@ int after_parse_error(const CLI::App& program, const CLI::ParseError& error) {
 }
 
 int run(int argc, char** argv) {
+  std::vector<std::string> arguments = sonde::begin_program(argc, argv);
   sonde::check_instruction_set();
   CLI::App program(sonde::app::program_summary, sonde::app::program_name);
+  program.allow_windows_style_options(false);  // "/a/b" is a file, there too
   const auto commands = sonde::app::declare_command_line(program);
   try {
-    program.parse(argc, argv);
+    std::ranges::reverse(arguments);  // as the parser takes them
+    program.parse(std::move(arguments));
     for (const auto& command : commands)
       if (command.parser->parsed()) command.run();
   } catch (const CLI::ParseError& error) {

@@ -5,10 +5,9 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
@@ -16,6 +15,7 @@
 #include <utility>
 
 #include "engine/base/error.hpp"
+#include "engine/platform/read_stream.hpp"
 #include "engine/recording/recorded_tick.hpp"
 #include "engine/scene/write_scene.hpp"
 #include "engine/settings/json_settings.hpp"
@@ -36,12 +36,17 @@ std::uint32_t crc_of(std::string_view text) {
 }
 
 std::string now_text() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  ::gmtime_r(&now, &parts);
-  std::array<char, 32> text{};
-  const std::size_t size = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return {text.data(), size};
+  using namespace std::chrono;
+  const auto now = floor<seconds>(system_clock::now());
+  const year_month_day day(floor<days>(now));
+  const hh_mm_ss time(now - floor<days>(now));
+  std::array<char, 64> text{};
+  const int size = std::snprintf(
+      text.data(), text.size(), "%04d-%02u-%02uT%02d:%02d:%02dZ", static_cast<int>(day.year()),
+      static_cast<unsigned>(day.month()), static_cast<unsigned>(day.day()),
+      static_cast<int>(time.hours().count()), static_cast<int>(time.minutes().count()),
+      static_cast<int>(time.seconds().count()));
+  return {text.data(), static_cast<std::size_t>(size)};
 }
 
 ordered_json json_of(const FileMark& mark) { return {{"bytes", mark.bytes}, {"crc32", mark.crc}}; }
@@ -127,8 +132,7 @@ namespace {
 
 /// The mark of everything marked so far followed by that file.
 FileMark continued(FileMark mark, const fs::path& file) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"),
-                                                               &std::fclose);
+  const ReadStream stream = open_to_read(file);
   std::array<char, 65536> piece{};
   while (stream) {
     const std::size_t size = std::fread(piece.data(), 1, piece.size(), stream.get());
@@ -234,8 +238,7 @@ bool is_recording(const fs::path& file) {
   // Opening a pipe would wait for its writer, and take data from the next reader.
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return false;
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"),
-                                                               &std::fclose);
+  const ReadStream stream = open_to_read(file);
   std::array<char, magic.size()> first{};
   return stream && std::fread(first.data(), 1, first.size(), stream.get()) == first.size() &&
          std::string_view(first.data(), first.size()) == magic;

@@ -3,11 +3,11 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <memory>
 #include <string_view>
 #include <system_error>
 
 #include "engine/base/error.hpp"
+#include "engine/platform/read_stream.hpp"
 
 namespace sonde {
 
@@ -17,8 +17,7 @@ std::string read_text(const std::filesystem::path& file, std::size_t most) {
   };
   const auto system_reason = [] { return std::generic_category().message(errno); };
 
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"),
-                                                               &std::fclose);
+  const ReadStream stream = open_to_read(file);
   if (!stream) throw fail(system_reason());
   // Reads piece by piece, not by the file's size: a pipe has none.
   std::string text;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What callers rely on whatever the system: by the sources of this platform, and by the portable
 // ones (two programs). The reference is the standard library, and the other of a pair of functions.
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -18,6 +17,7 @@
 #include "engine/platform/end_signals.hpp"
 #include "engine/platform/hid_node.hpp"
 #include "engine/platform/processor_time.hpp"
+#include "engine/platform/read_stream.hpp"
 #include "engine/platform/readable_file.hpp"
 #include "engine/platform/real_time.hpp"
 #include "engine/platform/shared_library.hpp"
@@ -113,8 +113,88 @@ TEST(AnySystem, a_file_is_read_at_any_place_whatever_becomes_of_its_name) {
   EXPECT_EQ(open.read(10, 3), "");
   EXPECT_EQ(open.read(1000, 3), "");
   EXPECT_EQ(open.read(0, 10), "0123456789");
+#ifndef _WIN32  // where the name goes once nobody holds the file
   EXPECT_THROW(ReadableFile{file}, InputError);
+#endif
   EXPECT_THROW(ReadableFile{folder.path}, InputError);
+}
+
+// A space, letters of one byte in some code pages, of three bytes in UTF-8, and of two units of 16
+// bits; bytes that a text stream may change.
+TEST(AnySystem, names_are_utf8_and_bytes_stay_as_they_are) {
+  const Folder folder;
+  const fs::path file = folder.path / "a b \u00e9\u6df1\u3055\U0001d6fc.csv";
+  const std::string bytes("one\r\ntwo\n\x1a\0three\n", 17);
+  WritableFile fresh(file, Opening::anew);
+  EXPECT_TRUE(fresh.write(bytes) && fresh.close());
+  EXPECT_EQ(may_write(file), 0);
+  EXPECT_EQ(ReadableFile(file).read(0, 100), bytes);
+  const ReadStream stream = open_to_read(file);
+  ASSERT_TRUE(stream);
+  std::string read(100, 'x');
+  read.resize(std::fread(read.data(), 1, read.size(), stream.get()));
+  EXPECT_EQ(read, bytes);
+  EXPECT_EQ(fs::directory_iterator(folder.path)->path().filename().string(),
+            "a b \u00e9\u6df1\u3055\U0001d6fc.csv");
+}
+
+// Lone halves of characters, forms that are too long, bytes that begin none; the references are the
+// tables of Unicode 15, 3.9.
+TEST(AnySystem, a_name_is_kept_or_refused_whole) {
+  for (const char* name : {"plain", "\u00ff", "\u0100", "\u07ff", "\u0800", "\ud7ff", "\uffff",
+                           "\U00010000", "\U0010ffff", "x\U0001f600y\u00e9"})
+    EXPECT_EQ(fs::path(name).string(), name);
+#ifdef _WIN32
+  for (const char* name : {"\xc3", "\xc0\x80", "\xe0\x80\x80", "\xed\xa0\x80", "\xf0\x80\x80\x80",
+                           "\xf4\x90\x80\x80", "\xff", "\x80", "a\xe6\xb7"})
+    EXPECT_THROW(fs::path{name}, std::exception) << name;
+#endif
+}
+
+TEST(AnySystem, what_cannot_be_opened_to_be_read_says_why) {
+  const Folder folder;
+  errno = 0;
+  EXPECT_FALSE(open_to_read(folder.path / "none"));
+  EXPECT_EQ(errno, ENOENT);
+}
+
+// Windows refuses.
+TEST(AnySystem, a_file_that_is_read_is_replaced_or_stays) {
+  const Folder folder;
+  std::ofstream(folder.path / "new") << "new";
+  std::ofstream(folder.path / "old") << "old";
+  const ReadableFile open(folder.path / "old");
+  const int error = replace_file(folder.path / "new", folder.path / "old");
+#ifdef _WIN32
+  EXPECT_EQ(error, EACCES);
+#else
+  EXPECT_EQ(error, 0);
+#endif
+  EXPECT_EQ(open.read(0, 10), "old");
+  EXPECT_EQ(text_of(folder.path / "old"), error == 0 ? "new" : "old");
+}
+
+TEST(AnySystem, what_is_cut_off_is_gone_and_writing_goes_on_there) {
+  const Folder folder;
+  WritableFile open(folder.path / "a", Opening::anew);
+  EXPECT_TRUE(open.write("0123456789"));
+  if (!open.truncate(3)) GTEST_SKIP() << "the standard library alone cannot";
+  EXPECT_TRUE(open.write("x") && open.close());
+  EXPECT_EQ(text_of(folder.path / "a"), "012x");
+}
+
+TEST(AnySystem, a_file_that_is_held_is_not_to_be_held_again_and_still_read) {
+  const Folder folder;
+  WritableFile first(folder.path / "a", Opening::anew);
+  EXPECT_TRUE(first.write("one") && first.lock());
+  WritableFile second(folder.path / "a", Opening::append);
+  ASSERT_TRUE(second.is_open());
+#ifndef SONDE_PORTABLE_SOURCES
+  EXPECT_FALSE(second.lock());
+#endif
+  EXPECT_EQ(text_of(folder.path / "a"), "one");
+  first.close();
+  EXPECT_TRUE(second.lock());
 }
 
 TEST(AnySystem, the_clock_goes_on_and_a_sleep_ends_no_sooner_than_asked) {
