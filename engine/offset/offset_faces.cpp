@@ -59,8 +59,9 @@ Soup without_inner_walls(const Soup& soup, const Progress& progress) {
   const std::vector<CornerTriangle> all = triangles_by_corners(soup, progress);
   std::vector<bool> gone(soup.triangles.size(), false);
   for_each_alike(all, [&](std::span<const CornerTriangle> alike) {
-    const long evens = std::ranges::count_if(alike, &CornerTriangle::even);
-    long pairs_even = std::min(evens, std::ssize(alike) - evens), pairs_odd = pairs_even;
+    const std::ptrdiff_t evens = std::ranges::count_if(alike, &CornerTriangle::even);
+    std::ptrdiff_t pairs_even = std::min(evens, std::ssize(alike) - evens);
+    std::ptrdiff_t pairs_odd = pairs_even;
     for (const CornerTriangle& t : alike)
       gone[t.triangle] = (t.even ? pairs_even : pairs_odd)-- > 0;
   });
