@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/devices/hid_device.hpp"
 
+#if SONDE_HID
 #include <hidapi/hidapi.h>
+#endif
 
 #include <algorithm>
 #include <cerrno>
@@ -13,6 +15,22 @@
 #include "engine/platform/hid_node.hpp"
 
 namespace sonde {
+
+bool HidInfo::has(HidUsage usage) const { return std::ranges::find(usages, usage) != usages.end(); }
+
+std::string open_failure(int error) {
+  std::string reason = std::generic_category().message(error);
+  if (error == EACCES || error == EPERM)
+    return "no permission to open it: put " + std::string(udev_rule_file) +
+           ", which comes with Sonde, into /etc/udev/rules.d, run 'udevadm control --reload' and "
+           "plug the device in again";
+  if (error == EBUSY) return "another program holds it: " + reason;
+  if (error == ENOENT || error == ENODEV || error == ENXIO) return "it is not there any more";
+  return reason;
+}
+
+#if SONDE_HID
+
 namespace {
 
 /// Protects hidapi's global state, which listing and opening write.
@@ -76,8 +94,6 @@ std::vector<std::uint8_t> descriptor_bytes(const std::string& path) {
 
 }  // namespace
 
-bool HidInfo::has(HidUsage usage) const { return std::ranges::find(usages, usage) != usages.end(); }
-
 std::vector<HidInfo> list_hid() {
   const std::lock_guard lock(hidapi_mutex());
   std::vector<HidInfo> all;
@@ -95,17 +111,6 @@ std::vector<HidInfo> list_hid() {
     return std::pair(a.path.size(), a.path) < std::pair(b.path.size(), b.path);
   });
   return all;
-}
-
-std::string open_failure(int error) {
-  std::string reason = std::generic_category().message(error);
-  if (error == EACCES || error == EPERM)
-    return "no permission to open it: put " + std::string(udev_rule_file) +
-           ", which comes with Sonde, into /etc/udev/rules.d, run 'udevadm control --reload' and "
-           "plug the device in again";
-  if (error == EBUSY) return "another program holds it: " + reason;
-  if (error == ENOENT || error == ENODEV || error == ENXIO) return "it is not there any more";
-  return reason;
 }
 
 HidDevice::HidDevice(const std::string& path) {
@@ -136,5 +141,28 @@ std::optional<std::span<const std::uint8_t>> HidDevice::feature(
   if (bytes < 0 || static_cast<std::size_t>(bytes) > buffer.size()) return {};
   return buffer.first(static_cast<std::size_t>(bytes));
 }
+
+#else
+
+std::vector<HidInfo> list_hid() { return {}; }
+
+HidDevice::HidDevice(const std::string& path) {
+  throw InputError::in(path, "this Sonde was built without hidapi, which speaks to such devices");
+}
+
+void HidDevice::Close::operator()(hid_device_*) const noexcept {}
+
+std::optional<std::span<const std::uint8_t>> HidDevice::read(std::span<std::uint8_t>,
+                                                             std::chrono::milliseconds) noexcept {
+  return {};
+}
+
+bool HidDevice::write(std::span<const std::uint8_t>) noexcept { return false; }
+
+std::optional<std::span<const std::uint8_t>> HidDevice::feature(std::span<std::uint8_t>) noexcept {
+  return {};
+}
+
+#endif
 
 }  // namespace sonde

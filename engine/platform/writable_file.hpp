@@ -45,7 +45,7 @@ class WritableFile {
 };
 
 /// Gives a file another name; a file that has it already is replaced in one step. 0, or the number
-/// of the error.
+/// of the error: Windows refuses (EACCES) while the other file is open.
 int replace_file(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// 0 where this process may write the file, or in the folder; else the number of the error.

@@ -13,7 +13,12 @@ set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 add_library(sonde_hardening INTERFACE)
 target_compile_options(sonde_hardening INTERFACE -fstack-protector-strong -Wformat
                                                  -Werror=format-security)
-target_link_options(sonde_hardening INTERFACE -Wl,-z,relro -Wl,-z,now)
+if(WIN32) # where what the checks call is in a library of its own
+  target_link_options(sonde_hardening INTERFACE -Wl,--dynamicbase -Wl,--nxcompat
+                                                -Wl,--high-entropy-va -fstack-protector-strong)
+else()
+  target_link_options(sonde_hardening INTERFACE -Wl,-z,relro -Wl,-z,now)
+endif()
 # The checked functions of libc need the optimiser, and hide from the sanitizers what they look at.
 if(NOT SONDE_SANITIZE AND NOT "${CMAKE_CXX_FLAGS}" MATCHES "_FORTIFY_SOURCE")
   target_compile_options(sonde_hardening

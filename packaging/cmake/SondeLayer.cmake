@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# sonde_layer(FOLDER [SEES folder...] [LIBRARIES target...] [CGAL source...])
+# sonde_layer(FOLDER [SEES folder...] [LIBRARIES target...] [CGAL source...]
+#             [REST folder])
 #
 # The sources of one folder, below the calling one, as a target of its own, sonde_TOP_FOLDER.
 #   SEES       the folders beside it whose headers it may include, declared before it: there are no
@@ -8,9 +9,10 @@
 #   LIBRARIES  of others, for it and for what sees it.
 #   CGAL       its sources that need CGAL, which exports -frounding-math and takes long to compile:
 #              they are a target apart, and its headers stay out of ours.
+#   REST       a folder whose sources it takes, but for those whose names are among its own.
 # An #include of any other folder does not build (packaging/check-includes).
 function(sonde_layer FOLDER)
-  cmake_parse_arguments(ARG "" "" "SEES;LIBRARIES;CGAL" ${ARGN})
+  cmake_parse_arguments(ARG "" "REST" "SEES;LIBRARIES;CGAL" ${ARGN})
   get_filename_component(top "${CMAKE_CURRENT_SOURCE_DIR}" NAME)
   string(MAKE_C_IDENTIFIER "sonde_${top}_${FOLDER}" target)
   set(sees "${top}/${FOLDER}")
@@ -28,6 +30,15 @@ function(sonde_layer FOLDER)
 
   file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/*.cpp"
                                       "${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/*.hpp")
+  if(ARG_REST)
+    file(GLOB rest CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${ARG_REST}/*.cpp")
+    foreach(source IN LISTS rest)
+      get_filename_component(name "${source}" NAME)
+      if(NOT "${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/${name}" IN_LIST sources)
+        list(APPEND sources "${source}")
+      endif()
+    endforeach()
+  endif()
   set(checked "${CMAKE_CURRENT_BINARY_DIR}/${target}.checked")
   set(check "${PROJECT_SOURCE_DIR}/packaging/check-includes")
   list(JOIN sees ":" colons)

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/mesh_io/assets/xml_walk.hpp"
 
+#if SONDE_EXPAT
 #include <expat.h>
+#endif
 
 #include <algorithm>
 #include <exception>
@@ -12,12 +14,26 @@
 namespace sonde {
 namespace {
 
-constexpr int deepest = 200;
-constexpr std::size_t piece = 1 << 20;  // bytes between two reports
-
 std::string_view without_prefix(std::string_view name) {
   return name.substr(name.find(':') == name.npos ? 0 : name.find(':') + 1);
 }
+
+}  // namespace
+
+std::string_view XmlElement::attribute(std::string_view wanted) const {
+  for (const char** it = attributes; *it; it += 2)
+    if (wanted == *it) return it[1];
+  for (const char** it = attributes; *it; it += 2)
+    if (wanted == without_prefix(*it)) return it[1];
+  return {};
+}
+
+#if SONDE_EXPAT
+
+namespace {
+
+constexpr int deepest = 200;
+constexpr std::size_t piece = 1 << 20;  // bytes between two reports
 
 struct Walk {
   const std::string& file;
@@ -76,14 +92,6 @@ void on_entity(void* user, const char*, int, const char*, int, const char*, cons
 
 }  // namespace
 
-std::string_view XmlElement::attribute(std::string_view wanted) const {
-  for (const char** it = attributes; *it; it += 2)
-    if (wanted == *it) return it[1];
-  for (const char** it = attributes; *it; it += 2)
-    if (wanted == without_prefix(*it)) return it[1];
-  return {};
-}
-
 void walk_xml(const std::string& file, std::string_view bytes, const XmlHandlers& handlers,
               const Progress& progress) {
   const std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser(
@@ -108,5 +116,13 @@ void walk_xml(const std::string& file, std::string_view bytes, const XmlHandlers
     if (last) return;
   }
 }
+
+#else
+
+void walk_xml(const std::string& file, std::string_view, const XmlHandlers&, const Progress&) {
+  throw InputError::in(file, "this Sonde was built without expat, which reads files of this kind");
+}
+
+#endif
 
 }  // namespace sonde
