@@ -18,6 +18,8 @@ namespace sonde {
 
 bool HidInfo::has(HidUsage usage) const { return std::ranges::find(usages, usage) != usages.end(); }
 
+bool speaks_hid() noexcept { return SONDE_HID != 0; }
+
 std::string open_failure(int error) {
   std::string reason = std::generic_category().message(error);
   if (error == EACCES || error == EPERM)

@@ -28,6 +28,9 @@ struct HidInfo {
   bool has(HidUsage usage) const;
 };
 
+/// False where Sonde was built without hidapi: then no device is listed, and none opens.
+bool speaks_hid() noexcept;
+
 /// All connected interfaces, each path once, ordered by path.
 std::vector<HidInfo> list_hid();
 

@@ -178,9 +178,13 @@ TEST(AnySystem, what_is_cut_off_is_gone_and_writing_goes_on_there) {
   const Folder folder;
   WritableFile open(folder.path / "a", Opening::anew);
   EXPECT_TRUE(open.write("0123456789"));
-  if (!open.truncate(3)) GTEST_SKIP() << "the standard library alone cannot";
-  EXPECT_TRUE(open.write("x") && open.close());
+#ifdef SONDE_PORTABLE_SOURCES  // the standard library alone cannot
+  EXPECT_FALSE(open.truncate(3));
+  EXPECT_EQ(text_of(folder.path / "a"), "0123456789");
+#else
+  EXPECT_TRUE(open.truncate(3) && open.write("x") && open.close());
   EXPECT_EQ(text_of(folder.path / "a"), "012x");
+#endif
 }
 
 TEST(AnySystem, a_file_that_is_held_is_not_to_be_held_again_and_still_read) {
