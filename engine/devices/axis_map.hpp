@@ -14,10 +14,12 @@ struct AxisSetting {
   double gain = 1;          ///< 0 switches the axis off
   double dead_zone = 0.05;  ///< a deflection up to this counts as zero; 0 to below 1
   double expo = 0;          ///< 0 to 1: finer response to small deflections; 0: linear
+  bool operator==(const AxisSetting&) const = default;
 };
 
 struct AxisMap {
   std::array<AxisSetting, 6> axes{{{0}, {1}, {2}, {3}, {4}, {5}}};
+  bool operator==(const AxisMap&) const = default;
 };
 
 /// The mapped deflections, each from -gain to gain. The part d of a deflection beyond the dead

@@ -74,8 +74,12 @@ void DeviceMotion::configure() noexcept {
 }
 
 void DeviceMotion::set_settings(const DeviceSettings& settings) noexcept {
+  const bool same_axes = settings.axes == settings_.axes && settings.frame == settings_.frame;
+  if (same_axes) rescaled_ *= settings.scaling / settings_.scaling;
+  const bool turned = remapped_ || !same_axes;
   settings_ = settings;
   configure();
+  remapped_ = turned;
 }
 
 void DeviceMotion::set_view(const Quat& q_FV) noexcept {
@@ -143,10 +147,12 @@ HandSample DeviceMotion::move(const DeviceSample& sample, double dt) noexcept {
   session_ = sample.session;
   position_ = sample.position;
   const bool turned = std::exchange(remapped_, false) && sample.position;
+  const double rescaled = std::exchange(rescaled_, 1);
   return {.X_FM = {X_FC_.q, X_FC_.p - X_FC_.q * com_},
           .held = !clutch_open_,
           .trusted = trusted,
           .changed = turned,
+          .rescaled = sample.position ? rescaled : 1,
           .device = position_ ? std::optional(traits(sample)) : std::nullopt,
           .since = since};
 }

@@ -16,9 +16,10 @@ namespace sonde {
 ///
 /// The probe keeps its pose, to the bit, while the clutch button is held and while the device is
 /// not trusted. Afterwards, as after a change of settings, view or connection, the device's present
-/// pose corresponds to the probe's present pose. So no pose ever jumps. A change of settings or
-/// view turns the force at the handle, so there is no force for one tick, after which it rises from
-/// zero. No device, no clock; no allocation, lock, throw.
+/// pose corresponds to the probe's present pose. So no pose ever jumps. A change of axes or view
+/// turns the force at the handle, so there is no force for one tick, after which it rises from
+/// zero. A change of the scaling alone is told to the loop, which carries the force over. No
+/// device, no clock; no allocation, lock, throw.
 class DeviceMotion {
  public:
   /// com: the probe's centre of mass in its mesh frame M, about which it turns.
@@ -59,6 +60,7 @@ class DeviceMotion {
   SixAxes deflection_ = SixAxes::Zero();  ///< mapped and smoothed, in B
   bool following_ = false;                ///< false: must be anchored first
   bool remapped_ = false;                 ///< since the last sample
+  double rescaled_ = 1;                   ///< likewise, see HandSample
   bool position_ = false;                 ///< of the last sample
   bool clutch_open_ = false;
   std::uint32_t session_ = 0;

@@ -18,6 +18,9 @@ struct HandSample {
   bool held = true;      ///< false: the clutch is open; the probe stays, and there is no force
   bool trusted = true;   ///< false: the pose is old or impossible; there is no force
   bool changed = false;  ///< another hand, or the same with new axes: no force in this tick
+  /// So many times the way of before is that of the probe from now on, by the same way of the hand;
+  /// nothing else has changed. 1: no change.
+  double rescaled = 1;
   std::optional<DeviceTraits> device = {};  ///< none: unknown device
   /// For a hand that is being measured, valid until its next sample: the loop renders this instead
   /// of the contact's wrench. Null for every other hand.

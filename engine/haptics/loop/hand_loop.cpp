@@ -37,7 +37,8 @@ constexpr double whole_force = 0.01;  // s: least time for the whole of the devi
 /// ticks no longer than this.
 constexpr double longest_since = 0.005;
 
-constexpr double slow_enough = 0.03;  // m/s, a third of the speed at which a handle may be moved
+/// No limit that is in use becomes less than what is in use.
+double at_least(double limit, double used) { return limit > 0 ? std::max(limit, used) : 0; }
 
 }  // namespace
 
@@ -50,6 +51,7 @@ HandLoop::HandLoop(const MassProperties& mass, Method method, const Coupling& co
       force_error_(settings.safety.force_error),
       fastest_{settings.safety.runaway_speed, settings.safety.runaway_turn},
       of_hand_(settings.safety.change_rate),
+      set_{.now = coupling, .before = coupling},
       coupler_(mass, coupling, method),
       passivity_(mass, settings.passivity, 1 / settings.rate_hz),
       runaway_(fastest_),
@@ -79,12 +81,15 @@ void HandLoop::restart(const Pose& X_FM) noexcept {
   released_ = 0;
   resting_ = false;
   resumed_ = 0;
+  anew_ = true;
+  felt_already_.reset();
   out_ = HandTick{};
 }
 
 /// What the limits keep of the last force. The next one rises from zero.
 void HandLoop::forget_force() noexcept {
   damping_ = passed_ = Wrench{};
+  carried_.restart();
   unspent_ = fresh_for_ = 0;
 }
 
@@ -149,11 +154,13 @@ void HandLoop::measure_way(const Pose& before, double fastest, double since, dou
   const bool waits = !(way_ > 0) && fresh_for_ > 0;
   fresh_for_ = waits ? fresh_for_ - dt : since - dt;
   if (leapt_) way_ = unspent_ = 0;  // no hand moves that fast
+  withdrawn_ = way_;
   if (waits) return;
   const Vec3 moved = X_FM_ * mass_.com - before * mass_.com;
   const double force = out_.wrench.force.norm();
   const double given = force > 0 ? out_.wrench.force.dot(moved) / force : 0;
   yields_ = since > 0 ? given / since : 0;
+  velocity_ = since > 0 ? Vec3(moved / since) : Vec3(Vec3::Zero());
   // The force may grow only with motion against it or across it, not with motion in its direction.
   if (given > 0) way_ = std::sqrt(std::max(0.0, way_ * way_ - given * given));
 }
@@ -185,7 +192,8 @@ void HandLoop::set_slew(double dt) noexcept {
   per_way_ = margin * stiff;
   ForceGate::Slew slew{margin * (stiff * way + b_t * both) / dt,
                        margin * (turning * way + turning_b * both) / dt,
-                       out_.separation.status == Status::separated && !leapt_};
+                       out_.separation.status == Status::separated && !leapt_,
+                       margin * stiff * withdrawn_ / dt, margin * turning * withdrawn_ / dt};
   slew.force = std::min(slew.force, most_force() / whole_force) + rate_.force;
   slew.torque = std::min(slew.torque, most_torque() / whole_force) + rate_.torque;
   gate_.set_slew(slew);
@@ -207,24 +215,71 @@ void HandLoop::set_change_rate(const HandSample& sample) noexcept {
   if (sample.device && !sample.trial)
     rate_ = change_rate_at_probe(of_hand_, most_force(), most_torque(), sample.device->ratio,
                                  sample.device->turn_ratio);
+  whole_rate_ = rate_;
   // If the handle yields to the force, as it does if nobody holds it, the force rises more slowly.
-  const double share = std::clamp(1 - yields_ / slow_enough, 0.01, 1.0);
+  const double share = share_where_it_yields(yields_);
   rate_.force *= share;
   rate_.torque *= share;
   gate_.set_change_rate(rate_);
 }
 
 void HandLoop::set_coupling(const GainGlide::Blend& blend) noexcept {
+  set_ = blend;
   GainGlide::Blend taken = blend;
-  out_.hand.gains = blend;
   out_.hand.capped = false;
+  if (device_ && felt_already_) {
+    const auto stable = [&](const Coupling& c) {
+      BorneGains most = stable_by_estimate(*device_, period_, c, mass_);
+      most.translation = at_least(most.translation, felt_already_->k_t);
+      most.rotation = at_least(most.rotation, felt_already_->k_r);
+      return borne(c, most, mass_);
+    };
+    taken.now = stable(blend.now);
+    taken.before = stable(blend.before);
+    if (is_reduced(taken.now, blend.now)) out_.hand.waiting = true;
+  }
+  out_.hand.gains = taken;
   if (device_) {
     const BorneGains most = borne_by_device(*device_);
-    taken.now = borne(blend.now, most, mass_);
-    taken.before = borne(blend.before, most, mass_);
-    out_.hand.capped = is_reduced(taken.now, blend.now);
+    taken.now = borne(taken.now, most, mass_);
+    taken.before = borne(taken.before, most, mass_);
+    out_.hand.capped = is_reduced(taken.now, out_.hand.gains.now);
   }
   coupler_.set_coupling(taken);
+}
+
+/// In a contact, what is another handle to the probe than before bears other gains: those that were
+/// stable may not be. They are held below until the contact is left, but not below what is felt
+/// already, if that goes on.
+void HandLoop::hold_below(double rescaled) noexcept {
+  felt_already_ = FeltGains{};
+  if (rescaled > 0) {
+    felt_already_ = felt_gains(coupler_.coupling(), mass_);
+    felt_already_->k_t /= rescaled * rescaled;
+  }
+  set_coupling(GainGlide::Blend(set_));
+}
+
+/// What the coupling wants, and what is carried over from another scale.
+Wrench HandLoop::wanted(const HandSample& sample, double dt) noexcept {
+  const bool contact = out_.separation.status == Status::penetrating;
+  const bool anew = std::exchange(anew_, false) || sample.changed;
+  if (!contact) {
+    felt_already_.reset();
+    carried_.restart();
+  }
+  const bool scaled = sample.rescaled > 0 && sample.rescaled != 1;
+  if (contact && device_ && (scaled || anew)) hold_below(anew ? 0 : sample.rescaled);
+  const Wrench felt = out_.hand.asked;
+  const Wrench now = coupler_.wrench(out_.separation, dt);
+  if (scaled && !anew && contact && device_ && pushed()) {
+    const double per = 1 / sample.rescaled;
+    gate_.rescale(per);
+    damping_.force *= per;
+    carried_.carry({felt.force * per, felt.torque}, now);
+  }
+  const double ratio = device_ && device_->ratio > 0 ? device_->ratio : 1;
+  return carried_.added_to(now, whole_rate_, velocity_ / ratio, dt);
 }
 
 double HandLoop::most_of_glide(const GainGlide& glide, double dt) noexcept {
@@ -292,14 +347,15 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
   if (reason == Withheld::nothing && out_.separation.status == Status::failed)
     reason = Withheld::failed;
 
-  const Coupling& coupling = coupler_.coupling();
-  out_.hand.asked = coupler_.wrench(out_.separation, clock.dt);
+  out_.hand.asked = wanted(sample, clock.dt);
   const bool given = reason == Withheld::nothing || reason == Withheld::unsettled;
   const bool acts = given && device_ && device_->force;
   set_slew(clock.dt);
+  const Coupling& coupling = coupler_.coupling();
   const Wrench passed =
       gate_.pass(out_.hand.asked, reason, coupling.max_force, coupling.max_torque, clock.dt);
   spend(passed, clock.dt);
+  if (!given) carried_.restart();
   if (!acts) damping_ = Wrench{};
   out_.wrench = acts ? damped(passed, clock.dt) : passed;
   passivity_.rendered(out_.wrench);
@@ -349,13 +405,18 @@ const HandTick& HandLoop::fade(const HandSample& sample, double dt, double time)
   const bool can = sample.device && sample.trusted && sample.held && is_finite(sample.X_FM) &&
                    out_.hand.withheld == Withheld::nothing && dt > 0 && time > 0;
   if (!can) return rest(Withheld::shut_down);
+  device_ = sample.device;
+  follow(sample, dt);
+  set_change_rate(sample);
+  // As the force falls, a hand that is not firm presses on: no faster than it may be moved.
+  const double share = share_where_it_yields(std::max(0.0, -yields_));
   const double force = out_.wrench.force.norm(), torque = out_.wrench.torque.norm();
   const auto less = [&](const Vec3& of, double size, double rate) {
     const double by = std::max(rate * dt, size * dt / time);
     return size > by ? Vec3(of * (1 - by / size)) : Vec3(Vec3::Zero());
   };
-  out_.wrench.force = less(out_.wrench.force, force, rate_.force);
-  out_.wrench.torque = less(out_.wrench.torque, torque, rate_.torque);
+  out_.wrench.force = less(out_.wrench.force, force, share * whole_rate_.force);
+  out_.wrench.torque = less(out_.wrench.torque, torque, share * whole_rate_.torque);
   return out_;
 }
 

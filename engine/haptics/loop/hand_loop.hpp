@@ -4,6 +4,8 @@
 #include "engine/haptics/coupling/coupler.hpp"
 #include "engine/haptics/hand/hand.hpp"
 #include "engine/haptics/loop/local_contacts.hpp"
+#include "engine/haptics/safety/borne_gains.hpp"
+#include "engine/haptics/safety/carried_force.hpp"
 #include "engine/haptics/safety/force_gate.hpp"
 #include "engine/haptics/safety/passivity.hpp"
 #include "engine/haptics/safety/runaway.hpp"
@@ -34,7 +36,7 @@ struct HandState {
   /// The gains wait for the end of this contact, because an estimate says they would be unstable in
   /// it.
   bool waiting = false;
-  GainGlide::Blend gains = {};              ///< in use, before any is reduced
+  GainGlide::Blend gains = {};              ///< in use, before the device's own limits
   bool held = true;                         ///< false: the clutch is open
   std::optional<DeviceTraits> device = {};  ///< the device that holds the probe, if known
   HandEnergy energy;
@@ -91,8 +93,9 @@ class HandLoop {
   const HandTick& rest(Withheld why) noexcept;
 
   /// A tick of the shutdown: the last wrench falls to zero, at its permitted rate of change or
-  /// within the remaining `time` (s), whichever is faster. It is zero immediately on a hand that is
-  /// not a known device, or that got no force.
+  /// within the remaining `time` (s), whichever is faster; more slowly where the hand presses on
+  /// meanwhile. It is zero immediately on a hand that is not a known device, or that got no force.
+  static constexpr double longest_fade = 1;  ///< s
   const HandTick& fade(const HandSample& sample, double dt, double time) noexcept;
 
   const HandTick& last() const noexcept { return out_; }
@@ -111,6 +114,9 @@ class HandLoop {
   bool is_unsettled() const noexcept;
   void follow(const HandSample& sample, double dt) noexcept;
   void set_change_rate(const HandSample& sample) noexcept;
+  /// `rescaled`: see HandSample; 0: the force begins anew.
+  void hold_below(double rescaled) noexcept;
+  Wrench wanted(const HandSample& sample, double dt) noexcept;
   /// Measures the hand's motion in this tick, from which the permitted change of the wrench
   /// follows. `fastest`: what moves faster leapt, m/s; 0: nothing does; `since`: time of
   /// the motion, s.
@@ -138,20 +144,28 @@ class HandLoop {
   double period_ = 1e-3;                      ///< s
   ChangeRate of_hand_;                        ///< from the settings
   ChangeRate rate_{.force = 0, .torque = 0};  ///< at the probe, for the hand of the last tick
+  ChangeRate whole_rate_ = rate_;             ///< the same, of a hand that does not yield
+  GainGlide::Blend set_;                      ///< as set, before any limit
   Coupler coupler_;
   Passivity passivity_;
   Runaway runaway_;
   ForceGate gate_;
   Wrench damping_;  ///< of the last tick, part of its wrench
+  CarriedForce carried_;
+  /// Until the contact is left, gains that are stable by estimate, or no more than these, are all.
+  std::optional<FeltGains> felt_already_;
+  bool anew_ = true;  ///< no tick since the start
   ClusterIds ids_;
   double lag_ = 0;                   ///< m, of the last answer (LocalAnswer)
   double way_ = 0, way_before_ = 0;  ///< m, in the object norm, of the last two ticks
-  double unspent_ = 0;               ///< m: the part of it by which the force has not changed yet
-  double per_way_ = 0;               ///< N/m: the change of force that it permits
+  double withdrawn_ = 0;  ///< m, of the last tick: also what was in the force's direction
+  double unspent_ = 0;    ///< m: the part of it by which the force has not changed yet
+  double per_way_ = 0;    ///< N/m: the change of force that it permits
   double fresh_for_ = 0;  ///< s until the device's next report is due; at most 0: each tick has one
   Wrench passed_;         ///< by the gate, in the last tick
   bool leapt_ = false;    ///< the pose moved further than a hand moves in a tick
-  double yields_ = 0;     ///< m/s, speed of the hand in the direction of the last force
+  double yields_ = 0;     ///< m/s, speed of the probe in the direction of the last force
+  Vec3 velocity_ = Vec3::Zero();        ///< m/s, of the probe, by the last report
   std::optional<DeviceTraits> device_;  ///< of the last tick
   Pose X_FM_;
   std::uint64_t jumps_ = 0;            ///< of the previous rows

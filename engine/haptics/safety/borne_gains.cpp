@@ -28,18 +28,6 @@ double largest_k(const BorneGains& most, const MassProperties& mass) {
   return largest_of_both(most.translation, most.rotation, mass);
 }
 
-/// The most that is felt of the gains of any mode.
-struct FeltGains {
-  double k_t = 0, k_r = 0;  // N/m, N·m/rad
-  double b_t = 0, b_r = 0;  // N·s/m, N·m·s/rad
-};
-
-FeltGains felt(const Coupling& c, const MassProperties& mass) {
-  if (!in_object_norm(c.mode)) return {c.k_t, c.k_r, c.b_t, c.b_r};
-  const double b = c.mode == Coupling::Mode::damped ? c.b_t : 0;
-  return {c.k, c.k * felt_turn(mass), b, b * felt_turn(mass)};
-}
-
 DeviceTraits as_assumed(const DeviceTraits& device) {
   const auto scale = [](double ratio) { return ratio > 0 ? ratio : 1; };
   const DeviceTraits least =
@@ -67,6 +55,12 @@ double share_up_to(double from, double most_before, double to, double most_after
 
 }  // namespace
 
+FeltGains felt_gains(const Coupling& c, const MassProperties& mass) noexcept {
+  if (!in_object_norm(c.mode)) return {c.k_t, c.k_r, c.b_t, c.b_r};
+  const double b = c.mode == Coupling::Mode::damped ? c.b_t : 0;
+  return {c.k, c.k * felt_turn(mass), b, b * felt_turn(mass)};
+}
+
 BorneGains borne_by_device(const DeviceTraits& device) noexcept {
   return {device.max_stiffness, device.max_rotational_stiffness, device.max_damping,
           device.max_rotational_damping};
@@ -93,7 +87,7 @@ BorneGains stable_by_estimate(const DeviceTraits& device, double sample_time,
   const double period = std::max(sample_time, handle.period);
   const double late = period / 2 + handle.delay;
   if (!handle.force || !(late > 0)) return {};
-  const FeltGains taken = felt(borne(coupling, borne_by_device(device), mass), mass);
+  const FeltGains taken = felt_gains(borne(coupling, borne_by_device(device), mass), mass);
   const auto counted = [&](double damping, double inertia) {
     return std::min(damping, counted_damping * inertia / (period + handle.delay));
   };
@@ -126,7 +120,7 @@ bool is_reduced(const Coupling& borne, const Coupling& wanted) noexcept {
 
 double share_of_way(const GainGlide& glide, const DeviceTraits& device, double sample_time,
                     const MassProperties& mass) noexcept {
-  const FeltGains from = felt(glide.from(), mass), to = felt(glide.to(), mass);
+  const FeltGains from = felt_gains(glide.from(), mass), to = felt_gains(glide.to(), mass);
   const BorneGains before = stable_by_estimate(device, sample_time, glide.from(), mass);
   const BorneGains after = stable_by_estimate(device, sample_time, glide.to(), mass);
   // What is felt is on the straight line between its ends, in a blend of two modes too. The limit

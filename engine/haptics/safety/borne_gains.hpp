@@ -15,6 +15,13 @@ struct BorneGains {
   double rotational_damping = 0;  ///< N·m·s/rad
 };
 
+/// The most that is felt of the gains of any mode.
+struct FeltGains {
+  double k_t = 0, k_r = 0;  ///< N/m, N·m/rad
+  double b_t = 0, b_r = 0;  ///< N·s/m, N·m·s/rad
+};
+FeltGains felt_gains(const Coupling& coupling, const MassProperties& mass) noexcept;
+
 /// Those that the device's maker states.
 BorneGains borne_by_device(const DeviceTraits& device) noexcept;
 

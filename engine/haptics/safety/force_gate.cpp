@@ -81,16 +81,19 @@ Wrench ForceGate::pass(const Wrench& wanted, Withheld why, double max_force, dou
   const bool close = pushes || !slew_.ends_at_once;
   // A falling wrench may change faster: it does not accelerate the hand, and an outdated force must
   // not remain.
-  const auto falling = [&](const Vec3& to, const Vec3& from) {
-    return settings_.fade_time > 0 && to.norm() < from.norm() ? from.norm() / settings_.fade_time
-                                                              : 0;
+  const auto falling = [&](const Vec3& to, const Vec3& from, double besides) {
+    if (!(to.norm() < from.norm())) return 0.0;
+    return besides + (settings_.fade_time > 0 ? from.norm() / settings_.fade_time : 0);
   };
-  const double force =
-      closer(settings_.force_slew,
-             close && slew_.force > 0 ? slew_.force + falling(out.force, last_.force) : 0);
+  const double force = closer(
+      settings_.force_slew, close && slew_.force > 0
+                                ? slew_.force + falling(out.force, last_.force, slew_.falling_force)
+                                : 0);
   const double torque =
       closer(settings_.torque_slew,
-             close && slew_.torque > 0 ? slew_.torque + falling(out.torque, last_.torque) : 0);
+             close && slew_.torque > 0
+                 ? slew_.torque + falling(out.torque, last_.torque, slew_.falling_torque)
+                 : 0);
   if (force > 0) out.force = towards(out.force, last_.force, force * step, &slewed_);
   if (torque > 0) out.torque = towards(out.torque, last_.torque, torque * step, &slewed_);
   return last_ = limit(out, max_force, max_torque);

@@ -60,12 +60,16 @@ class ForceGate {
   Wrench pass(const Wrench& wanted, Withheld why, double max_force, double max_torque,
               double dt) noexcept;
   void restart() noexcept;  ///< the next force rises from zero
+  /// The same force of the hand is so many times the force from now on.
+  void rescale(double times) noexcept { last_.force *= times; }
   /// Limits how fast the ramp may raise a wrench, at the probe; initially only its time limits it.
   void set_change_rate(const ChangeRate& rate) noexcept { rate_ = rate; }
   /// A slew limit in addition to that of the settings; 0: none.
   struct Slew {
     double force = 0, torque = 0;  ///< N/s, N·m/s
     bool ends_at_once = true;      ///< a change to a wrench of zero is not limited
+    /// What a wrench that falls may change by besides.
+    double falling_force = 0, falling_torque = 0;
   };
   void set_slew(const Slew& slew) noexcept { slew_ = slew; }
 

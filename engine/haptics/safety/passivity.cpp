@@ -41,7 +41,10 @@ void Passivity::set_device(const std::optional<DeviceTraits>& device) noexcept {
 
 /// N·s/m: largest α; the damping of turns is α Î.
 double Passivity::most_damping() const noexcept {
-  const double most = device_.max_damping > 0 ? device_.max_damping : settings_.max_damping;
+  // That of the settings is at the hand.
+  const double ratio = device_.ratio > 0 ? device_.ratio : 1;
+  const double most =
+      device_.max_damping > 0 ? device_.max_damping : settings_.max_damping / (ratio * ratio);
   const double largest = mass_.inertia.maxCoeff();
   if (!(device_.max_rotational_damping > 0) || !(largest > 0)) return most;
   return std::min(most, device_.max_rotational_damping / largest);

@@ -15,7 +15,7 @@ namespace sonde {
 struct PassivitySettings {
   /// Dissipate the energy that the loop has added, by damping the hand's motion.
   bool control = true;
-  double max_damping = 5;     ///< N·s/m, the largest damping of the controller
+  double max_damping = 5;     ///< N·s/m at the hand, the largest damping of the controller
   double device_damping = 0;  ///< N·s/m, of the mechanism: a lower bound of what it dissipates
   double delay = 0;           ///< s from command to motors, of the device; whole ticks, 64 at most
 };

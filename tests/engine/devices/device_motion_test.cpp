@@ -325,8 +325,28 @@ TEST(DeviceMotion, what_turns_the_force_lets_go_for_a_tick) {
   motion.set_settings(settings);
   EXPECT_FALSE(held());
   EXPECT_TRUE(held());
+  settings.axes.axes[0].inverted = false;
   motion.set_settings(settings);
   EXPECT_FALSE(motion.move(pushed(SixAxes::Zero()), 0.001).changed) << "a puck has no force";
+}
+
+TEST(DeviceMotion, another_scaling_alone_is_told_and_takes_no_force) {
+  DeviceSettings settings = in_scene();
+  DeviceMotion motion(settings, com, start);
+  EXPECT_EQ(motion.move(handle_at({0, 0, 0}), 0.001).rescaled, 1);
+  settings.scaling *= 3;
+  settings.smoothing *= 2;
+  motion.set_settings(settings);
+  settings.scaling /= 2;
+  motion.set_settings(settings);
+  const HandSample told = motion.move(handle_at({0, 0, 0}), 0.001);
+  EXPECT_FALSE(told.changed);
+  EXPECT_DOUBLE_EQ(told.rescaled, 1.5);
+  EXPECT_EQ(motion.move(handle_at({0, 0, 0}), 0.001).rescaled, 1);
+  settings.scaling *= 2;
+  settings.frame = DeviceSettings::Frame::y_up;
+  motion.set_settings(settings);
+  EXPECT_TRUE(motion.move(handle_at({0, 0, 0}), 0.001).changed) << "the force turns too";
 }
 
 TEST(DeviceMotion, a_late_tick_does_not_fling_the_probe) {

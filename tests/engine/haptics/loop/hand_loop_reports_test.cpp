@@ -44,6 +44,33 @@ TEST(HandLoopReports, a_device_that_reports_less_often_than_the_servo_runs_feels
   EXPECT_GT(behind(0.3, 10, false), 3) << "what takes 3 mm for a leap of one tick";
 }
 
+/// N: how far the force stays above k times the depth while a hand withdraws at `speed`.
+double stays_above(double speed, int every) {
+  HandLoopSettings settings;
+  settings.safety.ramp_time = 0;
+  Bench bench(settings);
+  const DeviceTraits traits{.max_force = 12, .mass = 0.2};
+  for (int i = 0; i < 2000; ++i)
+    bench.tick({.X_FM = at_depth(0.005 * std::min(1.0, i * dt)), .device = traits});
+  EXPECT_NEAR(bench.loop.last().wrench.force.z(), 500 * 0.005, 0.01);
+  double most = 0, depth = 0.005;
+  for (int i = 1; depth > 0; ++i) {
+    if (i % every == 0) depth = 0.005 - speed * dt * i;
+    HandSample sample{.X_FM = at_depth(depth), .device = traits};
+    if (i % every == 0) sample.since = every * dt;
+    const double force = bench.tick(sample).wrench.force.z();
+    if (depth > 0) most = std::max(most, force - 500 * depth);
+  }
+  return most;
+}
+
+// A wall that pushes a hand that leaves it harder than it held it gives energy. Reference: a wall
+// of 500 N/m, and some old rows.
+TEST(HandLoopReports, a_hand_that_withdraws_is_not_pushed_by_the_force_of_before) {
+  for (const double speed : {0.05, 0.2, 0.5})
+    for (const int every : {1, 2, 10}) EXPECT_LT(stays_above(speed, every), 0.3) << speed << every;
+}
+
 TEST(HandLoopReports, a_leap_stays_one_however_long_the_device_was_silent) {
   HandLoopSettings settings;
   settings.safety.ramp_time = 0;

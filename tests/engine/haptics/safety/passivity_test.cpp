@@ -234,6 +234,7 @@ TEST(Passivity, no_more_damping_is_taken_than_the_device_bears) {
   };
   EXPECT_NEAR(damped({}).first, 3, 1e-6) << "nothing known: the settings'";
   EXPECT_NEAR(damped(DeviceTraits{}).first, 3, 1e-6);
+  EXPECT_NEAR(damped(DeviceTraits{.ratio = 2}).first, 3.0 / 4, 1e-6) << "as felt by the hand";
   EXPECT_NEAR(damped(DeviceTraits{.max_damping = 30}).first, 30, 1e-6);
   // Turns: α Î, along the axis of the largest Î.
   const double most = 0.25 * 30 * m.inertia.z();
