@@ -38,6 +38,19 @@ bool is_named_in(const DeviceProfile& profile, std::string_view device_name) {
   return named_by(profile, letters_of(device_name)) > 0;
 }
 
+bool is_model_of(std::string_view id, std::string_view device_name,
+                 std::span<const std::string> known) {
+  const std::string device = letters_of(device_name);
+  const auto named = [&](std::string_view model) {
+    DeviceProfile profile;
+    profile.id = model;
+    return named_by(profile, device);
+  };
+  const std::size_t own = named(id);
+  return own > 0 &&
+         std::ranges::none_of(known, [&](const std::string& other) { return named(other) > own; });
+}
+
 bool is_measured(const DeviceProfile& profile) {
   return letters_of(profile.id).ends_with(measured) || letters_of(profile.name).ends_with(measured);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "engine/settings/device_profile.hpp"
@@ -12,6 +13,11 @@ namespace sonde {
 /// contain those of the profile's id, or of the profile's own name, in large or small letters. A
 /// profile measured on a device ("sigma.7-measured") is of the model that was measured.
 bool is_named_in(const DeviceProfile& profile, std::string_view device_name);
+
+/// Whether the name of a device says the model of this id, and none of `known` says another one
+/// with more letters: "Touch X" is no "touch".
+bool is_model_of(std::string_view id, std::string_view device_name,
+                 std::span<const std::string> known);
 
 /// Whether it was measured on a device, as its id or name says.
 bool is_measured(const DeviceProfile& profile);

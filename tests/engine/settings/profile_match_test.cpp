@@ -49,6 +49,18 @@ TEST(ProfileMatch, one_that_was_measured_comes_first) {
   EXPECT_EQ(id_for("Touch", all), "touch");
 }
 
+TEST(ProfileMatch, a_longer_name_is_another_model) {
+  const std::vector<std::string> known{"touch", "touch-x", "sigma.7", "sigma.7-measured"};
+  EXPECT_FALSE(is_model_of("touch", "Touch X", known));
+  EXPECT_FALSE(is_model_of("touch-measured", "TOUCH_X S2", known));
+  EXPECT_TRUE(is_model_of("touch-x", "Touch X", known));
+  EXPECT_TRUE(is_model_of("touch", "Touch", known));
+  EXPECT_TRUE(is_model_of("sigma.7", "Sigma.7 right-handed", known));
+  EXPECT_TRUE(is_model_of("sigma.7-measured", "sigma.7", known));
+  EXPECT_FALSE(is_model_of("sigma.7", "omega.7", known));
+  EXPECT_FALSE(is_model_of("", "omega.7", known));
+}
+
 // Of a device without a profile: no device of ours is lighter, less damped or later.
 TEST(ProfileMatch, what_is_assumed_without_a_profile_is_the_least_of_those_that_ship) {
   const DeviceTraits assumed = assumed_traits();
