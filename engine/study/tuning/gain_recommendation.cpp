@@ -88,6 +88,13 @@ std::vector<GainLimit> least_of_each(std::vector<GainLimit> limits) {
   return out;
 }
 
+/// What caps a recommendation once the hand lets go: a buzz. In the object norm a slower swing too,
+/// since there only the loop can make one grow; classic gains have some at a few N/m.
+double released_limit(const TuningColumn& column, GainAxis axis) {
+  const double slow = column.theory_released_any_swing.value_or(infinity);
+  return in_object_norm(axis) ? std::min(column.theory_released, slow) : column.theory_released;
+}
+
 AxisGains gains_at(const TuningResults& results, const Lines& lines, const Profile& device,
                    GainAxis axis, double damping) {
   AxisGains out{.axis = axis,
@@ -121,9 +128,9 @@ AxisGains gains_at(const TuningResults& results, const Lines& lines, const Profi
     out.cycle_lever = std::max(out.cycle_lever, column.cycle_lever);
     out.released = std::min(out.released, column.theory_released);
     lower(out.released_any_swing, column.theory_released_any_swing);
-    if (!results.always_held && std::isfinite(column.theory_released))
-      limits.push_back(
-          {"released", column.theory_released / stability_margin, line->kind, std::string()});
+    const double released = released_limit(column, axis);
+    if (!results.always_held && std::isfinite(released))
+      limits.push_back({"released", released / stability_margin, line->kind, std::string()});
     out.theory = std::min(out.theory, column.theory_stable);
   }
   add_profile_limits(results, lines, device, axis, damping, limits);

@@ -177,7 +177,9 @@ double unmeasured_limit(const TuningPlan& plan, GainAxis axis, double share) {
     const TuningSetup setup = tuning_setup(plan, i, hand_grips[0]);
     TuningColumn column;
     column.damping = share * most_damping(setup, axis);
-    column.theory_released = theory_limits(setup, axis, share).released;
+    const TheoryLimits theory = theory_limits(setup, axis, share);
+    column.theory_released = theory.released;
+    column.theory_released_any_swing = theory.released_any_swing;
     column.stable.stiffness = column.good.stiffness = infinity;
     TuningLine line;
     line.situation = i;

@@ -240,6 +240,27 @@ TEST(GainRecommendation, no_contact_or_damping_is_allowed_more_than_what_is_reco
   EXPECT_EQ(allows(4), 0) << "nothing rests";
 }
 
+// A heavy handle of little damping swings slower than 5 Hz where the loop first feeds it.
+TEST(GainRecommendation, a_handle_that_swings_slowly_once_let_go_caps_the_object_norm) {
+  for (const Coupling::Mode mode : {Coupling::Mode::object, Coupling::Mode::damped}) {
+    TuningResults r = stable_up_to({1500});
+    const GainAxis axis = mode == Coupling::Mode::object ? GainAxis::object : GainAxis::damped;
+    r.mode = mode;
+    r.lines[0].axis = axis;
+    r.lines[0].columns[0].theory_released_any_swing = 300;
+    const auto slow = recommend(r, axis);
+    EXPECT_DOUBLE_EQ(slow->stiffness, 200);
+    EXPECT_EQ(slow->limit.reason, "released");
+    r.always_held = true;
+    EXPECT_DOUBLE_EQ(recommend(r, axis)->stiffness, 1000);
+  }
+  TuningResults r = stable_up_to({1500});
+  r.mode = Coupling::Mode::classic;
+  r.lines[0].axis = GainAxis::translation;
+  r.lines[0].columns[0].theory_released_any_swing = 300;
+  EXPECT_DOUBLE_EQ(recommend(r, GainAxis::translation)->stiffness, 1000) << "said, but no cap";
+}
+
 // Reference: the loop's own rule, worked out: at most the driver's largest stiffness, and in the
 // object norm its largest rotational one over 1.2 Î, whatever a contact feels.
 TEST(GainRecommendation, nothing_is_recommended_that_the_loop_renders_as_less) {
