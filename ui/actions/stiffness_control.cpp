@@ -88,7 +88,8 @@ void StiffnessControl::attach(Session* session, bool same_gains) {
 
 void StiffnessControl::set_holder(const Holder& holder) {
   holder_ = holder;
-  panel_->show_device(holder.simulated ? holder.simulated->id : std::string(), holder.connected);
+  panel_->show_device(holder.simulated ? holder.simulated->id : std::string(), holder.connected,
+                      holder.model);
   if (!session_ || holder.name == gains_of_) return;
   keep_gains();
   gains_of_ = holder.name;
@@ -197,7 +198,7 @@ void StiffnessControl::frame(qint64 now) {
 bool StiffnessControl::is_of_what_is_open() const {
   const auto& simulated = holder_.simulated;
   return tuning_ && tuning_->doubt.isEmpty() &&
-         (holder_.connected.isEmpty() || is_named_in(tuning_->results, holder_.connected)) &&
+         (holder_.connected.isEmpty() || panel_->is_of_connected()) &&
          (!simulated || simulated->id == tuning_->results.device_id) &&
          session_->coupling().mode == tuning_->results.mode;
 }

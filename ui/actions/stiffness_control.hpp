@@ -46,7 +46,8 @@ class StiffnessControl : public QObject {
   struct Holder {
     std::optional<DeviceProfile> simulated;  ///< none: another, or none
     std::string name;                        ///< under which gains are kept for it
-    QString connected;  ///< the name of a real force device; empty: there is none
+    QString connected;       ///< the name of a real force device; empty: there is none
+    std::string model = {};  ///< the id of its profile, by that name; empty: none
   };
   /// After attach(), and where it is another: the sets are those that were kept for the open scene
   /// and it, if there are any.

@@ -228,7 +228,9 @@ void DeviceControl::set_led(bool on) {
 
 void DeviceControl::frame(const Quat& q_FV) {
   if (!session_) return;
+  const std::string before = model();
   find_profile();
+  if (model() != before) emit changed();
   session_->set_view(q_FV);
   session_->sweep();
 }

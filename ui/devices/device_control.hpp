@@ -64,6 +64,8 @@ class DeviceControl : public QObject {
   const SimulatedGrip& grip() const { return grip_; }
   void set_grip(const SimulatedGrip& grip);
   void set_led(bool on);
+  /// The id of the connected device's profile, by its name; empty: none, or not yet known.
+  std::string model() const { return profile_ ? profile_->id : std::string(); }
   /// The present settings of the loop: the device's, else the scene's.
   ServoSettings servo() const;
 
@@ -84,7 +86,7 @@ class DeviceControl : public QObject {
   void end_measuring();
 
  signals:
-  /// Another source, or other settings than those last shown.
+  /// Another source, model, or other settings than those last shown.
   void changed();
   /// Settings that could not be read or kept, a device that cannot be simulated.
   void failed(const QString& reason);

@@ -64,7 +64,7 @@ QLabel* wrapped(const char* object, QWidget* parent) {
 }  // namespace
 
 StiffnessPanel::StiffnessPanel(const std::vector<std::string>& device_ids, QWidget* parent)
-    : QDockWidget(QStringLiteral("Stiffness"), parent) {
+    : QDockWidget(QStringLiteral("Stiffness"), parent), known_(device_ids) {
   setObjectName(QStringLiteral("stiffness_panel"));
   const auto [scroll, content, layout] = scrolled(*this);
   layout->setSpacing(4);
@@ -290,11 +290,16 @@ void StiffnessPanel::show_map() {
   show_point();
 }
 
-void StiffnessPanel::show_device(const std::string& id, const QString& connected) {
+void StiffnessPanel::show_device(const std::string& id, const QString& connected,
+                                 const std::string& model) {
   simulated_ = id;
   connected_ = connected;
-  study_->choose_device(id);
+  study_->choose_device(id.empty() ? model : id);
   show_doubt();
+}
+
+bool StiffnessPanel::is_of_connected() const {
+  return tuning_ && is_named_in(tuning_->results, connected_, known_);
 }
 
 void StiffnessPanel::show_doubt() {
@@ -303,7 +308,7 @@ void StiffnessPanel::show_doubt() {
   if (tuning_ && !simulated_.empty() && simulated_ != tuning_->results.device_id)
     doubts << QStringLiteral("This map is of another device: %1, not %2.")
                   .arg(text(tuning_->results.device_id), text(simulated_));
-  if (tuning_ && !connected_.isEmpty() && !is_named_in(tuning_->results, connected_))
+  if (tuning_ && !connected_.isEmpty() && !is_of_connected())
     doubts << QStringLiteral(
                   "This map is of %1. Whether %2 is one is not known: the view says "
                   "nothing of its boundary.")

@@ -38,8 +38,11 @@ class StiffnessPanel : public QDockWidget {
   /// None: there is nothing to show yet.
   void show_tuning(const std::optional<Tuning>& tuning);
   /// The device that is simulated now, which is then the one to compute for; empty: none.
-  /// `connected`: the name of a force device that is not simulated; empty: there is none.
-  void show_device(const std::string& id, const QString& connected);
+  /// `connected`: the name of a force device that is not simulated; empty: there is none. `model`:
+  /// the profile that its name says, which is then the one to compute for; empty: none.
+  void show_device(const std::string& id, const QString& connected, const std::string& model = {});
+  /// Whether the map is of the connected device, as far as names tell.
+  bool is_of_connected() const;
   void show_gains(const Coupling& now);
   /// The kind of the contact that holds the probe; empty: none.
   void show_contact(const std::string& kind);
@@ -83,6 +86,7 @@ class StiffnessPanel : public QDockWidget {
   std::optional<Tuning> tuning_;
   Coupling now_;
   std::string simulated_, contact_;
+  std::vector<std::string> known_;  ///< ids of profiles
   QString connected_;
   QComboBox *axes_, *shown_kinds_;
   StudyBox* study_;

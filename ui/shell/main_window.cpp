@@ -200,7 +200,8 @@ void MainWindow::show_holder() {
                                    connected->kind == DeviceKind::arm);
   set_felt(feels);
   stiffness_->set_holder({simulating ? std::optional(simulating->profile) : std::nullopt, name,
-                          feels ? QString::fromStdString(connected->name) : QString()});
+                          feels ? QString::fromStdString(connected->name) : QString(),
+                          feels ? devices_->model() : std::string()});
   show_device();
   suit_gains();
 }

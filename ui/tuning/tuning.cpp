@@ -10,6 +10,7 @@
 #include <optional>
 #include <thread>
 
+#include "engine/settings/profile_match.hpp"
 #include "engine/study/tuning/tuning.hpp"
 #include "engine/study/tuning/tuning_inputs.hpp"
 #include "engine/study/tuning/tuning_report.hpp"
@@ -102,9 +103,9 @@ void keep_newest(const fs::path& within) {
 
 }  // namespace
 
-bool is_named_in(const TuningResults& results, const QString& connected) {
-  const QString id = QString::fromStdString(results.device_id);
-  return !id.isEmpty() && connected.contains(id, Qt::CaseInsensitive);
+bool is_named_in(const TuningResults& results, const QString& connected,
+                 std::span<const std::string> known) {
+  return is_model_of(results.device_id, connected.toStdString(), known);
 }
 
 Tuning load_tuning(const fs::path& folder_or_file, const LoadedScene& opened) {

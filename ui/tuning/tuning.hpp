@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,9 @@ struct Tuning {
 };
 
 /// Whether a connected device calls itself as the device that a map is of: an arm that says
-/// "sigma.7 right-handed" is a sigma.7.
-bool is_named_in(const TuningResults& results, const QString& connected);
+/// "sigma.7 right-handed" is a sigma.7, but a "Touch X" no Touch, if `known` has the id of one.
+bool is_named_in(const TuningResults& results, const QString& connected,
+                 std::span<const std::string> known);
 
 /// Reads a folder, or the folder of a file, for an open pair. Throws InputError naming what is
 /// missing or broken.

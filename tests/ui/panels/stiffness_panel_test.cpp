@@ -98,7 +98,8 @@ TEST_F(StiffnessPanelTest, a_map_of_another_device_is_doubted) {
   EXPECT_EQ(panel->device_id(), "sigma.7") << "the one to compute for";
   panel->show_device("", "Omega.7 left-handed");
   EXPECT_FALSE(shows("tuning_doubt")) << "it calls itself by that name";
-  panel->show_device("", "Some arm");
+  panel->show_device("", "Some arm", "sigma.7-measured");
+  EXPECT_EQ(panel->device_id(), "sigma.7-measured") << "the model of what is connected";
   EXPECT_TRUE(text("tuning_doubt").contains("Whether Some arm is one is not known"));
 }
 

@@ -112,13 +112,17 @@ TEST_F(TuningTest, no_folder_that_holds_something_else_is_written_to) {
 }
 
 TEST_F(TuningTest, a_connected_device_is_known_by_what_it_calls_itself) {
+  const std::vector<std::string> known{"sigma.7", "touch", "touch-x"};
   TuningResults results;
   results.device_id = "sigma.7";
-  EXPECT_TRUE(is_named_in(results, "sigma.7 right-handed"));
-  EXPECT_TRUE(is_named_in(results, "Force Dimension SIGMA.7"));
-  EXPECT_FALSE(is_named_in(results, "omega.7"));
+  EXPECT_TRUE(is_named_in(results, "sigma.7 right-handed", known));
+  EXPECT_TRUE(is_named_in(results, "Force Dimension SIGMA.7", known));
+  EXPECT_FALSE(is_named_in(results, "omega.7", known));
   results.device_id = "";
-  EXPECT_FALSE(is_named_in(results, "omega.7")) << "a map of nothing is of no device";
+  EXPECT_FALSE(is_named_in(results, "omega.7", known)) << "a map of nothing is of no device";
+  results.device_id = "touch";
+  EXPECT_TRUE(is_named_in(results, "Touch", known));
+  EXPECT_FALSE(is_named_in(results, "Touch X", known));
 }
 
 TEST_F(TuningTest, each_kind_of_contact_can_be_studied_alone) {
