@@ -186,8 +186,9 @@ Sweep NeighbourList::sweep_along(const Motion& motion, double clearance, Effort&
     learn(k, *std::min_element(path.from, path.from + block), rounding);
     for (std::size_t lane = 0; lane < size_of(k); ++lane) {
       const double floor = pairs.floor_of(path.from[lane]);
-      const double least = std::min(path.from[lane], path.to[lane]) - floor;
-      if (least >= 0 && least >= pairs.hangs_by(path.bend[lane])) continue;
+      if (stays_above(path.from[lane] - floor, path.to[lane] - floor,
+                      pairs.hangs_by(path.bend[lane])))
+        continue;
       const double room = path.from[lane] - floor, used = path.from[lane] - path.to[lane];
       unproven_[open++] = {static_cast<std::uint32_t>(k * block + lane), room <= 0     ? 0
                                                                          : room < used ? room / used
@@ -228,6 +229,17 @@ void NeighbourList::follow(std::span<const UnprovenPair> open, PairSweep& pairs,
       }
     return false;
   };
+  // From the direction at the start to the one at the end, or along one of the two that turns with
+  // A: if a face of A slides past a corner of B, the normal of that face separates them all along.
+  const Mat3 turn = pairs.end().R * pairs.start().X.R.transpose();
+  const auto slides = [&](const TriangleBatch::Pair& pair, const Vec3& from, const Vec3& to) {
+    const auto is_clear = [&](const Vec3& first, const Vec3& last) {
+      return pairs.is_clear_between(pair.i, pair.j, 0, pairs.start(), first, last);
+    };
+    const bool starts = from != Vec3::Zero(), ends = to != Vec3::Zero();
+    return (starts && ends && is_clear(from, to)) || (starts && is_clear(from, turn * from)) ||
+           (ends && is_clear(turn.transpose() * to, to));
+  };
   const auto look_at_end = [&] {
     effort.spend(TriangleBatch::work * at_end.size());
     at_end.flush(infinity, [&](const TriangleBatch::Pair& pair, int k, const ClosestPoints8& p) {
@@ -240,9 +252,7 @@ void NeighbourList::follow(std::span<const UnprovenPair> open, PairSweep& pairs,
         return pairs.give_up(std::max(0.0, known * (1 - 1e-12)));
       }
       Vec3 n = normal_of(pair.tag);
-      if (n != Vec3::Zero() && p.distance[k] > 0 &&
-          pairs.is_clear_between(pair.i, pair.j, 0, pairs.start(), n, normal(p, k)))
-        return;
+      if (slides(pair, n, p.distance[k] > 0 ? normal(p, k) : Vec3::Zero())) return;
       double from = 0;
       if (n != Vec3::Zero()) {
         const PairSweep::Step step = pairs.step_along(pair.i, pair.j, n, pairs.start());

@@ -2,6 +2,7 @@
 #include "engine/proximity/sweep/pair_sweep.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/base/numbers.hpp"
 #include "engine/proximity/queries/placement.hpp"
@@ -23,6 +24,11 @@ double safe_advance(double slack, double speed, double acceleration) {
   // The positive root of slack + speed x − ½ acceleration x², in the form without cancellation.
   const double root = std::sqrt(speed * speed + 2 * acceleration * slack);
   return speed >= 0 ? (speed + root) / acceleration : 2 * slack / (root - speed);
+}
+
+bool stays_above(double from, double to, double sag) {
+  if (!(from >= 0 && to >= 0)) return false;
+  return std::min(from, to) >= sag || 0.5 * (from + to) + std::sqrt(from * to) >= 2 * sag;
 }
 
 PairSweep::PairSweep(const Body& a, const Body& b, const Motion& motion, double clearance,
@@ -95,7 +101,7 @@ bool PairSweep::is_clear_along(std::uint32_t i, std::uint32_t j, const Vec3& n) 
   const Vec3 bending = motion_.bend().transpose() * n;
   double bend = -infinity;
   for (const Vec3& x : local) bend = std::max(bend, bending.dot(x - motion_.com()));
-  return std::min(from, to) - floor >= until * until * hangs_by(bend);
+  return stays_above(from - floor, to - floor, until * until * hangs_by(bend));
 }
 
 bool PairSweep::is_clear_between(std::uint32_t i, std::uint32_t j, double s, const Moment& now,
@@ -126,8 +132,8 @@ bool PairSweep::slides(const Slide& from, const Slide& to, const Corners& local,
                          part * turned.norm() * bends;
     const double hangs = 0.125 * (part * part * curve + 2 * part * speed);
     for (const Vec3& b : tb) {
-      const double low = std::min(from.normal.dot(x0 - b), to.normal.dot(x1 - b)) - floor;
-      if (!(low >= 0 && low >= hangs)) return false;
+      const double low0 = from.normal.dot(x0 - b) - floor, low1 = to.normal.dot(x1 - b) - floor;
+      if (!stays_above(low0, low1, hangs)) return false;
     }
   }
   return true;

@@ -30,6 +30,12 @@ enum class PairsKeep {
   all,            ///< all of the clearance, as everywhere: else the path ends at the start
 };
 
+/// Whether a height that is `from` and `to` above a floor at the ends of a path, and lies below the
+/// chord between them by at most `sag` at the middle (its upward curvature is at most 8 `sag`),
+/// stays above the floor. With the most curvature it is a parabola, (1−s)² from + 2 s (1−s) m +
+/// s² to, m = (from + to)/2 − 2 sag, and that is ≥ 0 on [0, 1] if and only if m ≥ −√(from · to).
+bool stays_above(double from, double to, double sag);
+
 /// Advances pairs of triangles along one motion and keeps the earliest stop.
 class PairSweep {
  public:
