@@ -40,11 +40,12 @@ Descent::Descent(const Body& probe, const Body& fixed, Method method,
     : rows_(probe, fixed, method, finding),
       gap_(gap),
       extents_(extent(probe) + extent(fixed)),
-      longest_path_(std::numeric_limits<double>::infinity()) {}
+      longest_path_(std::numeric_limits<double>::infinity()),
+      given_up_path_(std::numeric_limits<double>::infinity()) {}
 
 void Descent::forget() noexcept {
   rows_.forget();
-  longest_path_ = std::numeric_limits<double>::infinity();
+  longest_path_ = given_up_path_ = std::numeric_limits<double>::infinity();
 }
 
 void Descent::Outcome::move_to(const Vec6& to) noexcept {
@@ -375,18 +376,25 @@ class Descent::Run {
                 chart_.mass().radius);
     refuted_ = refuted_ || (replaced_ && pace_.stalled > 0);
     replaced_ = false;
-    if (goal_.far > 0 && !effort_.is_limited() && (y_ - start_).norm() > goal_.far)
-      effort_ = {goal_.work_when_far, 0};
+    if (swept.given_up || (y_ - start_).norm() > goal_.far) limit_fall();
     return true;
   }
 
+  void limit_fall() noexcept {
+    if (goal_.work_of_fall == 0 || effort_.is_limited()) return;
+    const std::int64_t spent = left_at_start_ - effort_.left();
+    effort_ = {std::max<std::int64_t>(1, goal_.work_of_fall - spent), 0};
+  }
+
   void learn_longest_path(const Sweep& swept, const Vec6& target) noexcept {
-    double& longest = descent_.longest_path_;
-    if (!swept.given_up)
-      longest *= 2;
-    else
-      longest = descent_tuning.longest_after_giving_up *
-                Motion(chart_, y_, target).farthest(chart_.mass().radius);
+    double &longest = descent_.longest_path_, &given_up = descent_.given_up_path_;
+    if (swept.given_up) {
+      given_up = Motion(chart_, y_, target).farthest(chart_.mass().radius);
+      longest = descent_tuning.longest_after_giving_up * given_up;
+    } else {
+      given_up *= descent_tuning.given_up_growth;
+      longest = std::min(2 * longest, descent_tuning.most_of_given_up * given_up);
+    }
   }
 
   Descent& descent_;
@@ -407,6 +415,7 @@ class Descent::Run {
   bool replaced_ = false;  // the step is one that a replaced row allows
   bool refuted_ = false;   // such a step led nowhere: the rows were right
   int cut_short_ = 0;      // paths whose sweep was given up
+  const std::int64_t left_at_start_ = effort_.left();  // units of Effort
   Outcome out_;
 };
 

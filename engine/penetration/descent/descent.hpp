@@ -24,10 +24,10 @@ double allowed_clearance(double radius, double depth);
 struct DescentGoal {
   double residual = 1e-4;  ///< |y − Jᵀλ| / |y|
   int steps = 60;          ///< maximum number of iterations
-  /// m: if the effort of a run has no limit, it is limited to `work_when_far` as soon as the run is
-  /// this far from its start. 0: it stays unlimited, however far the run goes.
+  /// Units of Effort: if the effort of a run has no limit, this is its limit in all, as soon as the
+  /// run is `far` (m) from its start or the sweep of one of its paths was given up. 0: none.
+  std::int64_t work_of_fall = 0;
   double far = 0;
-  std::int64_t work_when_far = 0;  ///< units of Effort, from there on
   bool straight_first = false;  ///< where rows turn the first step aside, the straight way is tried
   double held_slope = 0;  ///< m: loss of ½|y|² no steeper than this is not `fallen` (Outcome)
 };
@@ -126,9 +126,10 @@ class Descent {
   void report(Outcome& out, const Vec6& y, const LeastDistance& nearest) const noexcept;
 
   ContactRows rows_;
-  double gap_;           // the gap aimed at, as a share of the allowed clearance
-  double extents_;       // m: sum of the largest coordinates of both bodies
-  double longest_path_;  // m: limit of a path, set when a sweep used up the effort
+  double gap_;            // the gap aimed at, as a share of the allowed clearance
+  double extents_;        // m: sum of the largest coordinates of both bodies
+  double longest_path_;   // m: limit of a path, set when a sweep used up the effort
+  double given_up_path_;  // m: the length at which it did; grows with each path after that
 };
 
 }  // namespace sonde

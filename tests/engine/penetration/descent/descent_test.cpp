@@ -8,6 +8,7 @@
 
 #include "engine/penetration/search/coherent.hpp"
 #include "tests/support/brute_force.hpp"
+#include "tests/support/joints.hpp"
 #include "tests/support/pairs.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -68,7 +69,7 @@ TEST(Descent, what_has_come_far_gets_a_limit_and_says_so) {
       EXPECT_FALSE(unlimited.is_limited()) << pair.name;
       DescentGoal goal;
       goal.far = 1e-3 * mass.radius;
-      goal.work_when_far = 1;
+      goal.work_of_fall = 1;
       descent.forget();
       Effort effort;
       const Descent::Outcome cut = descent.run(chart, y, goal, 0, effort);
@@ -83,6 +84,48 @@ TEST(Descent, what_has_come_far_gets_a_limit_and_says_so) {
     }
   }
   EXPECT_GT(limited, 10);
+}
+
+// A nut that has jammed on its bolt gets free when the device is half a turn ahead, and unscrews
+// the other way. Reference: the same run without a limit, which goes all that way at once.
+TEST(Descent, a_run_whose_paths_take_too_much_gets_a_limit_and_says_so) {
+  constexpr std::int64_t work = 450'000;
+  int long_runs = 0;
+  for (const test::FittedScene& scene : test::joint_scenes()) {
+    if (!scene.name.ends_with("jammed")) continue;
+    const auto probe = test::body(scene.probe), fixed = test::body(scene.fixed);
+    CoherentSolver solver({probe, fixed});
+    Descent descent(*probe, *fixed, Method::pdg, {}, Descent::gap_of_follower);
+    DescentGoal goal;
+    goal.work_of_fall = work;
+    goal.far = 0.25 * probe->mass.radius;
+    const std::vector<Pose> path = test::fitted_path(scene.path, 3000);
+    solver.reset(path.front());
+    for (const Pose& device : path) {
+      const Pose from = solver.last().separated;
+      const Separation& found = solver.tick(device);
+      if (found.converged || found.limited == 0) continue;
+      const Chart chart(probe->mass, device);
+      const Vec6 y = chart.coordinates(from);
+      const auto run = [&](const DescentGoal& of, Effort& effort) {
+        descent.forget();
+        return descent.run(chart, y, of, 1e-3 * y.norm(), effort);
+      };
+      Effort whole, cut;
+      const std::int64_t before = whole.left();
+      run({}, whole);
+      EXPECT_FALSE(whole.is_limited());
+      if (before - whole.left() < 3 * work) continue;
+      const Descent::Outcome out = run(goal, cut);
+      EXPECT_TRUE(cut.is_limited()) << scene.name;
+      EXPECT_FALSE(out.converged) << scene.name;
+      EXPECT_GT(out.limited, 0) << scene.name;
+      // The list and the path before the limit may have spent more by themselves.
+      EXPECT_GT(cut.left(), -work) << scene.name;
+      ++long_runs;
+    }
+  }
+  EXPECT_GT(long_runs, 3);
 }
 
 // A turn is cut into steps of one length, which are no series.

@@ -7,6 +7,7 @@
 
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/sweep/neighbour_list.hpp"
+#include "engine/proximity/sweep/sweep.hpp"
 #include "tests/engine/proximity/small_motions.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/exact_reference.hpp"
@@ -88,6 +89,35 @@ TEST(NeighbourList, a_stale_direction_does_not_lower_the_clearance) {
     const Sweep swept = list.sweep_along(back, clearance, unlimited);
     EXPECT_TRUE(swept.hit);
     EXPECT_GE(exact_distance_at(pair, back.at(swept.free_until)), clearance * (1 - 1e-9));
+  }
+}
+
+// Reference: the same sweep with the trees, and a count of work. A plate turns off a tip below its
+// one half; the other half goes down beside the tip, so no direction that stands still separates
+// them, but the normal of the plate does, which turns with it. No pair needs to be looked at on its
+// way, however little room it has (some 50 units each time; two looks for each pair at both ends).
+TEST(NeighbourList, a_face_that_turns_off_a_corner_takes_no_look_on_its_way) {
+  const auto plate = test::body(test::box({0.1, 0.08, 0.01}));
+  const auto tip =
+      test::body({{{0.03, 0, 0}, {0.028, 0, -0.02}, {0.032, 0.002, -0.02}, {0.032, -0.002, -0.02}},
+                  {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}});
+  for (const double room : {1e-5, 1e-7, 1e-9}) {
+    const Chart chart(plate->mass, {});
+    Vec6 from = Vec6::Zero();
+    from[5] = 0.005 + room;
+    const Pose start = chart.pose(from);
+    const Quat turn(Eigen::AngleAxisd(-0.02, Vec3::UnitY()));
+    const Vec6 to = chart.coordinates({(turn * start.q).normalized(), start.p});
+    const Motion motion(chart, from, to);
+    NeighbourList list(*plate, *tip);
+    Effort unlimited;
+    ASSERT_TRUE(list.build(Transform(start), plate->mass.com, {1e-3, 0.1}, unlimited));
+    EXPECT_FALSE(sweep(*plate, *tip, motion, 0.5 * room, unlimited).hit);
+    const std::int64_t before = unlimited.left();
+    EXPECT_FALSE(list.sweep_along(motion, 0.5 * room, unlimited).hit);
+    const auto pairs = static_cast<std::int64_t>(list.size());
+    EXPECT_GT(pairs, 0);
+    EXPECT_LE(before - unlimited.left(), 10 + pairs * (5 + 5 + 20)) << room;
   }
 }
 

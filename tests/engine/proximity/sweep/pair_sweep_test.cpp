@@ -297,10 +297,44 @@ TEST(PairSweep, a_step_along_a_normal_keeps_the_gap_along_it) {
   EXPECT_GT(furthest / steps, 0.2);  // the bound is of use
 }
 
+// Reference: the parabola of most curvature at samples, whose least value is a closed form where it
+// lies between the ends.
+TEST(PairSweep, a_height_stays_above_its_floor_if_its_parabola_does) {
+  std::mt19937_64 random(6);
+  int yes = 0, no = 0, low = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const double from = std::pow(10.0, test::uniform(random, -4, 0)),
+                 to = std::pow(10.0, test::uniform(random, -4, 0)),
+                 sag = std::pow(10.0, test::uniform(random, -4, 0));
+    double least = std::min(from, to);
+    for (int k = 1; k < 1000; ++k) {
+      const double s = k / 1000.0;
+      least = std::min(least, (1 - s) * from + s * to - 4 * sag * s * (1 - s));
+    }
+    const bool stays = stays_above(from, to, sag);
+    if (least < 0) {
+      EXPECT_FALSE(stays) << from << " " << to << " " << sag;
+    }
+    // Samples a thousandth apart miss the least value by no more than this.
+    if (least > 1e-6 * sag) {
+      EXPECT_TRUE(stays) << from << " " << to << " " << sag;
+    }
+    yes += stays, no += !stays, low += stays && std::min(from, to) < sag;
+  }
+  EXPECT_GT(yes, 500);
+  EXPECT_GT(no, 500);
+  EXPECT_GT(low, 100);
+  EXPECT_FALSE(stays_above(-1e-9, 1, 0));
+  EXPECT_FALSE(stays_above(1, -1e-9, 0));
+  EXPECT_TRUE(stays_above(0, 0, 0));
+  EXPECT_TRUE(stays_above(0, 4, 1));
+  EXPECT_FALSE(stays_above(0, 3.999, 1));
+}
+
 // Reference: exact distances (CGAL) at samples of the path.
 TEST(PairSweep, what_is_clear_along_normals_keeps_its_floor) {
   std::mt19937_64 random(3);
-  int along = 0, between = 0, only_between = 0;
+  int along = 0, between = 0, only_between = 0, turned = 0, only_turned = 0;
   for (int i = 0; i < 1000; ++i) {
     const PassingPair pair = passing_pair(random);
     const double clearance = std::pow(10.0, test::uniform(random, -6, -1));
@@ -312,14 +346,22 @@ TEST(PairSweep, what_is_clear_along_normals_keeps_its_floor) {
     const Vec3 last = closest_points(place(pairs.end(), local), fixed).normal;
     const bool one = pairs.is_clear_along(0, 0, first);
     const bool two = pairs.is_clear_between(0, 0, 0, pairs.start(), first, last);
+    // Directions that turn with A: those of its faces do.
+    const Mat3 turn = pairs.end().R * pairs.start().X.R.transpose();
+    const bool three =
+        pairs.is_clear_between(0, 0, 0, pairs.start(), first, turn * first) ||
+        pairs.is_clear_between(0, 0, 0, pairs.start(), turn.transpose() * last, last);
     along += one, between += two, only_between += two && !one;
-    if (!one && !two) continue;
+    turned += three, only_turned += three && !one && !two;
+    if (!one && !two && !three) continue;
     const double kept = std::min(clearance, 0.5 * at_start);
     for (int k = 0; k <= 12; ++k) EXPECT_GE(apart_at(pair, k / 12.0), kept) << i << " " << k;
   }
   EXPECT_GT(along, 100);
   EXPECT_GT(between, 100);
   EXPECT_GT(only_between, 10);
+  EXPECT_GT(turned, 100);
+  EXPECT_GT(only_turned, 2);
 }
 
 // Reference: the heights of a corner at samples of the path.
