@@ -93,21 +93,23 @@ TEST(NeighbourList, a_stale_direction_does_not_lower_the_clearance) {
 }
 
 // Reference: the same sweep with the trees, and a count of work. A plate turns off a tip below its
-// one half; the other half goes down beside the tip, so no direction that stands still separates
-// them, but the normal of the plate does, which turns with it. No pair needs to be looked at on its
-// way, however little room it has (some 50 units each time; two looks for each pair at both ends).
+// one half, and slides so that the tip passes from one of its triangles to the other. No direction
+// that stands still separates them, since the other half goes down beside the tip; the normal of
+// the plate does, which turns with it. No pair needs to be looked at on its way, however little
+// room it has (some 50 units each time; one look at each end).
 TEST(NeighbourList, a_face_that_turns_off_a_corner_takes_no_look_on_its_way) {
   const auto plate = test::body(test::box({0.1, 0.08, 0.01}));
-  const auto tip =
-      test::body({{{0.03, 0, 0}, {0.028, 0, -0.02}, {0.032, 0.002, -0.02}, {0.032, -0.002, -0.02}},
-                  {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}});
+  const Vec3 top(0.03, 0.0238, 0);  // the diagonal of the plate passes at y = 0.024
+  const auto tip = test::body({{top, top + Vec3(-2e-3, 0, -0.02), top + Vec3(2e-3, 2e-3, -0.02),
+                                top + Vec3(2e-3, -2e-3, -0.02)},
+                               {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}});
   for (const double room : {1e-5, 1e-7, 1e-9}) {
     const Chart chart(plate->mass, {});
     Vec6 from = Vec6::Zero();
     from[5] = 0.005 + room;
     const Pose start = chart.pose(from);
     const Quat turn(Eigen::AngleAxisd(-0.02, Vec3::UnitY()));
-    const Vec6 to = chart.coordinates({(turn * start.q).normalized(), start.p});
+    const Vec6 to = chart.coordinates({(turn * start.q).normalized(), start.p - Vec3(0, 1e-3, 0)});
     const Motion motion(chart, from, to);
     NeighbourList list(*plate, *tip);
     Effort unlimited;
