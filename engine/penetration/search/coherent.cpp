@@ -41,14 +41,16 @@ constexpr double bend_of_metric = 1.1;
 /// three more ticks count as jumps, which they do not if the steps of the device are a quarter as
 /// long. The real falls are found at every step length.)
 constexpr double bend_of_force = 0.1;
-/// Units of Effort, some 5 ms: limit of a tick after such a jump, and of one that is a fall (the
-/// separated probe itself has moved as far, or a path took too much to sweep), if the caller sets
-/// none. The long path that is then swept can pass all of the bodies, and a hand that waits for it
-/// is lost. The tick says that it has not converged and that a limit acted; the next ones continue,
-/// with the same limit. (The longest ticks of crumpled-soup, terrain, peg-in-hole and four jammed
-/// nuts took 32, 15, 26 and 36 to 83 ms with a limit of 3 million after jumps alone, and take 7, 9,
-/// 14 and 7 to 8 ms; 22, 1, 2 and 9 to 19 ticks do not converge where it was 9, 0, 0 and 0 to 7.)
-constexpr std::int64_t work_after_jump = 450'000;
+/// Units of Effort, some 10 ns each: limit of a tick after such a jump, if the caller sets none.
+/// The long path that is then swept can pass all of the bodies. The tick says that it has not
+/// converged and that a limit acted; the next ones continue, with the same limit.
+constexpr std::int64_t work_after_jump = 3'000'000;
+/// The same, some 5 ms, of a tick that is a fall: the separated probe itself has moved as far, or a
+/// path took too much to sweep. It is the contact's doing, and a hand that waits for it is lost.
+/// (The longest ticks of crumpled-soup, terrain, peg-in-hole and four jammed nuts took 32, 15, 26
+/// and 36 to 83 ms with a limit of 3 million for what came far alone, and take 7, 9, 14 and 7 to 8
+/// ms; 22, 1, 2 and 9 to 19 ticks do not converge where it was 9, 0, 0 and 0 to 7.)
+constexpr std::int64_t work_of_fall = 450'000;
 
 }  // namespace
 
@@ -68,7 +70,9 @@ struct CoherentSolver::State {
   /// Where the first tick in which the device moves begins, if `separated` touches within rounding.
   std::optional<Pose> lifted;
   bool started = false;
-  bool behind = false;  ///< after a jump of the device, the probe has not yet reached its optimum
+  /// Units of Effort: limit of a tick without one, while the probe has not yet reached its optimum
+  /// after a jump of the device or a fall; 0: none.
+  std::int64_t limit_while_behind = 0;
   /// Share of the allowed clearance: the largest distance of the last pose above its contacts.
   /// After a search it is all of it.
   double gap = 1;
@@ -115,13 +119,14 @@ struct CoherentSolver::State {
     return X.p.cwiseAbs().maxCoeff() <= farthest * (extent(probe) + extent(fixed));
   }
 
-  /// The effort of a tick. After a jump it is limited even if no limit was asked for, and so are
-  /// the next ticks until the probe has caught up.
+  /// The effort of a tick. After a jump or a fall it is limited even if no limit was asked for, and
+  /// so are the next ticks until the probe has caught up.
   Effort effort_of(const Budget& budget, double moved) noexcept {
-    behind = (behind && !last.converged) || moved > jump_of_device * probe.mass.radius;
+    if (last.converged) limit_while_behind = 0;
+    if (moved > jump_of_device * probe.mass.radius) limit_while_behind = work_after_jump;
     const double until = budget.microseconds > 0 ? now_us() + budget.microseconds : 0;
     const bool unlimited = budget.work == 0 && until == 0;
-    return {unlimited && behind ? work_after_jump : budget.work, until};
+    return {unlimited ? limit_while_behind : budget.work, until};
   }
 
   /// If the probe was free and cannot have reached any contact since, sets the result that a
@@ -220,7 +225,7 @@ const Separation& CoherentSolver::reset(const Pose& X_FM, const StaticOptions& o
   s.last = separate_static(s.pair, X_FM, search, progress);
   s.last.jumped = s.last.status == Status::penetrating;
   s.started = s.last.status != Status::failed;
-  s.behind = false;
+  s.limit_while_behind = 0;
   s.lag = 0;
   s.gap = 1;
   s.device = s.last.device;
@@ -265,11 +270,11 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
     goal.held_slope = bend_of_metric * (moved + s.lag);
     goal.straight_first = was_free;
     goal.far = jump_of_device * s.probe.mass.radius;
-    goal.work_of_fall = work_after_jump;
+    goal.work_of_fall = work_of_fall;
     const bool was_limited = effort.is_limited();
     found = s.descent.run(chart, y, goal, std::max(moved, 1e-9 * s.probe.mass.radius), effort);
     const bool fell_too_far = !was_limited && effort.is_limited() && !found.converged;
-    s.behind = s.behind || fell_too_far;
+    if (fell_too_far) s.limit_while_behind = work_of_fall;
     found.limited += fell_too_far;
     s.descent.prepare_next_list(farthest_move(s.probe.mass, s.device, device), effort);
   } else {
