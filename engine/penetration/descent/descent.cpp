@@ -376,7 +376,8 @@ class Descent::Run {
                 chart_.mass().radius);
     refuted_ = refuted_ || (replaced_ && pace_.stalled > 0);
     replaced_ = false;
-    if (swept.given_up || (y_ - start_).norm() > goal_.far) limit_fall();
+    const bool too_dear = swept.given_up && start_.norm() > goal_.held_off;
+    if (too_dear || (y_ - start_).norm() > goal_.far) limit_fall();
     return true;
   }
 
@@ -389,8 +390,10 @@ class Descent::Run {
   void learn_longest_path(const Sweep& swept, const Vec6& target) noexcept {
     double &longest = descent_.longest_path_, &given_up = descent_.given_up_path_;
     if (swept.given_up) {
-      given_up = Motion(chart_, y_, target).farthest(chart_.mass().radius);
-      longest = descent_tuning.longest_after_giving_up * given_up;
+      const double length = Motion(chart_, y_, target).farthest(chart_.mass().radius);
+      longest = descent_tuning.longest_after_giving_up * length;
+      // Not one that had only what was left of a tick.
+      if (!effort_.is_spent()) given_up = length;
     } else {
       given_up *= descent_tuning.given_up_growth;
       longest = std::min(2 * longest, descent_tuning.most_of_given_up * given_up);

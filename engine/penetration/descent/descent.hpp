@@ -25,9 +25,10 @@ struct DescentGoal {
   double residual = 1e-4;  ///< |y − Jᵀλ| / |y|
   int steps = 60;          ///< maximum number of iterations
   /// Units of Effort: if the effort of a run has no limit, this is its limit in all, as soon as the
-  /// run is `far` (m) from its start or the sweep of one of its paths was given up. 0: none.
+  /// run is `far` (m) from its start; or the sweep of a path was given up, and the run began with
+  /// |y| above `held_off` (m). 0: none.
   std::int64_t work_of_fall = 0;
-  double far = 0;
+  double far = 0, held_off = 0;
   bool straight_first = false;  ///< where rows turn the first step aside, the straight way is tried
   double held_slope = 0;  ///< m: loss of ½|y|² no steeper than this is not `fallen` (Outcome)
 };

@@ -45,8 +45,12 @@ constexpr double bend_of_force = 0.1;
 /// The long path that is then swept can pass all of the bodies. The tick says that it has not
 /// converged and that a limit acted; the next ones continue, with the same limit.
 constexpr std::int64_t work_after_jump = 3'000'000;
-/// The same, some 5 ms, of a tick that is a fall: the separated probe itself has moved as far, or a
-/// path took too much to sweep. It is the contact's doing, and a hand that waits for it is lost.
+/// Factor on the device's motion: a probe that is further from the device is held by its contacts,
+/// and does not just follow.
+constexpr double held_off = 4;
+/// The same, some 5 ms, of a tick that is a fall: the separated probe itself has moved as far, or
+/// is held and has a path that takes too much to sweep. It is the contact's doing, and a hand that
+/// waits for it is lost.
 /// (The longest ticks of crumpled-soup, terrain, peg-in-hole and four jammed nuts took 32, 15, 26
 /// and 36 to 83 ms with a limit of 3 million for what came far alone, and take 7, 9, 14 and 7 to 8
 /// ms; 22, 1, 2 and 9 to 19 ticks do not converge where it was 9, 0, 0 and 0 to 7.)
@@ -271,6 +275,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
     goal.straight_first = was_free;
     goal.far = jump_of_device * s.probe.mass.radius;
     goal.work_of_fall = work_of_fall;
+    goal.held_off = held_off * (moved + s.lag);
     const bool was_limited = effort.is_limited();
     found = s.descent.run(chart, y, goal, std::max(moved, 1e-9 * s.probe.mass.radius), effort);
     const bool fell_too_far = !was_limited && effort.is_limited() && !found.converged;
