@@ -111,8 +111,11 @@ class Session {
   /// Where reset() leads from now on.
   void set_start(const Pose& X_FM) { loaded_.start = X_FM; }
 
-  /// PD_t and the lower bound, in a thread of their own: computed only when asked for.
-  void ask_search(const Pose& X_FM) { searched_.request(X_FM); }
+  /// PD_t and the lower bound, in a thread of their own: computed only when asked for. `known`: a
+  /// separated pose of it that is known.
+  void ask_search(const Pose& X_FM, const std::optional<Pose>& known) {
+    searched_.request(X_FM, known);
+  }
   std::optional<BackgroundResult> searched() { return searched_.latest(); }
   /// See ClearanceGauge::at: a few milliseconds at most, in a thread of its own.
   std::optional<GaugedClearance> clearance(const Pose& X_FM);

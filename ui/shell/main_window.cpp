@@ -348,7 +348,10 @@ void MainWindow::ask_search() {
     search_.answered(*result);
     history_->add(with_followed(*result, shown_->separation));
   }
-  if (search_.asks(device, clock_.elapsed())) session()->ask_search(device);
+  if (!search_.asks(device, clock_.elapsed())) return;
+  const Separation& followed = shown_->separation;
+  const bool held = followed.status == Status::penetrating;
+  session()->ask_search(device, held ? std::optional(followed.separated) : std::nullopt);
 }
 
 void MainWindow::show_numbers() {

@@ -12,6 +12,7 @@
 #include "engine/body/body.hpp"
 #include "engine/haptics/loop/loop_tuning.hpp"
 #include "engine/penetration/search/static_search.hpp"
+#include "engine/proximity/queries/intersect.hpp"
 
 namespace sonde {
 namespace {
@@ -45,7 +46,30 @@ std::optional<Searched> search(const Pair& pair, const Pose& X_FM, Method method
   return Searched{{separation.depth, separation.separated}, separation.far_out};
 }
 
-BackgroundResult compute(const Pair& pair, const Pose& X_FM, const Extent& extent) {
+/// Shares by which a translation is lengthened where the turn that is left out kept a contact off:
+/// at most the gap that an answer may have.
+constexpr double lengthened[] = {0, 1e-6, 1e-4};
+
+/// The translation to that separated pose, if the bodies are apart there without its turn as well.
+std::optional<FoundSeparation> without_turn(const Pair& pair, const Pose& X_FM,
+                                            const Pose& separated) {
+  const Vec3& com = pair.probe().mass.com;
+  const Vec3 way = separated * com - X_FM * com;
+  for (const double share : lengthened) {
+    const Vec3 moved = (1 + share) * way;
+    const Pose X_FQ{X_FM.q, X_FM.p + moved};
+    if (!overlap(pair.probe(), pair.fixed(), Transform(X_FQ), Doubt::exact))
+      return FoundSeparation{moved.norm(), X_FQ};
+  }
+  return {};
+}
+
+void shorten(std::optional<FoundSeparation>& way, const std::optional<FoundSeparation>& other) {
+  if (other && (!way || other->depth < way->depth)) way = other;
+}
+
+BackgroundResult compute(const Pair& pair, const Pose& X_FM, const std::optional<Pose>& known,
+                         const Extent& extent) {
   const auto begin = std::chrono::steady_clock::now();
   BackgroundResult out;
   out.device = X_FM;
@@ -63,6 +87,10 @@ BackgroundResult compute(const Pair& pair, const Pose& X_FM, const Extent& exten
       out.nearest = turned->way;
       out.far_out = turned->far_out;
     }
+    // A short search may miss a way without a turn that another one has found.
+    if (turned) shorten(out.pdt, without_turn(pair, X_FM, turned->way.separated));
+    if (known) shorten(out.pdt, without_turn(pair, X_FM, *known));
+    shorten(out.nearest, out.pdt);
   }
   if (out.pdt) {
     const PhaseTimer timer(times, Phase::bound);
@@ -77,9 +105,10 @@ BackgroundResult compute(const Pair& pair, const Pose& X_FM, const Extent& exten
   return out;
 }
 
-BackgroundResult answer(const Pair& pair, const Pose& X_FM, double sure, bool time_phases) {
+BackgroundResult answer(const Pair& pair, const Pose& X_FM, const std::optional<Pose>& known,
+                        double sure, bool time_phases) {
   try {
-    return compute(pair, X_FM,
+    return compute(pair, X_FM, known,
                    {.microseconds = loop_tuning.background_us,
                     .starts_pdt = loop_tuning.background_starts_pdt,
                     .sure = sure,
@@ -100,7 +129,7 @@ bool of_one_pose(const BackgroundResult& search, const Separation& followed) {
 }  // namespace
 
 BackgroundResult searched_fully(const Pair& pair, const Pose& X_FM) {
-  return compute(pair, X_FM, {});
+  return compute(pair, X_FM, {}, {});
 }
 
 BackgroundResult with_followed(BackgroundResult search, const Separation& followed) {
@@ -139,8 +168,12 @@ struct BackgroundSearch::State {
   std::mutex mutex;  ///< guards the six below
   bool time_phases = false;
   double sure = StaticOptions{}.sure;
-  std::optional<Pose> wanted;
-  std::optional<Pose> newest;  ///< requested
+  struct Request {
+    Pose device;
+    std::optional<Pose> known;
+  };
+  std::optional<Request> wanted;
+  std::optional<Request> newest;  ///< requested
   std::optional<BackgroundResult> result;
   bool stopping = false;
   std::condition_variable changed;
@@ -154,11 +187,11 @@ void BackgroundSearch::State::run() {
   for (;;) {
     changed.wait(lock, [this] { return stopping || wanted; });
     if (stopping) return;
-    const Pose X_FM = *std::exchange(wanted, std::nullopt);
+    const Request request = *std::exchange(wanted, std::nullopt);
     const bool timed = time_phases;
     const double share = sure;
     lock.unlock();
-    const BackgroundResult found = answer(pair, X_FM, share, timed);
+    const BackgroundResult found = answer(pair, request.device, request.known, share, timed);
     lock.lock();
     if (found.sure == sure) result = found;
   }
@@ -178,10 +211,10 @@ BackgroundSearch::~BackgroundSearch() {
   state_->thread.join();
 }
 
-void BackgroundSearch::request(const Pose& X_FM) {
+void BackgroundSearch::request(const Pose& X_FM, const std::optional<Pose>& known) {
   {
     const std::lock_guard lock(state_->mutex);
-    state_->wanted = state_->newest = X_FM;
+    state_->wanted = state_->newest = State::Request{X_FM, known};
   }
   state_->changed.notify_one();
 }

@@ -23,7 +23,9 @@ struct BackgroundResult {
   Pose device;  ///< the pose that was searched
   /// The nearest pose of both searches: an upper bound of PD_g.
   std::optional<FoundSeparation> nearest;
-  std::optional<FoundSeparation> pdt;        ///< translation only; none if the search failed
+  /// Translation only; none if the search failed. Never longer than the translation of `nearest`,
+  /// if that alone separates the bodies.
+  std::optional<FoundSeparation> pdt;
   std::optional<double> lower_bound;         ///< of √PD_g, m
   std::optional<BoundWitness> witness = {};  ///< of that bound
   /// Separation::far_out of the search that found `nearest`. If `nearest` is the pose that the loop
@@ -62,7 +64,10 @@ class BackgroundSearch {
   ~BackgroundSearch();
   BackgroundSearch(const BackgroundSearch&) = delete;
   BackgroundSearch& operator=(const BackgroundSearch&) = delete;
-  void request(const Pose& X_FM);  ///< replaces a request not yet begun
+  /// Replaces a request not yet begun. `known`: a separated pose of that device pose that is known
+  /// already, as the one that the loop followed. If the bodies are apart there without its turn
+  /// too, PD_t is not larger than its translation.
+  void request(const Pose& X_FM, const std::optional<Pose>& known = {});
   /// Whether results report where their time went, for requests from now on; off initially.
   void set_time_phases(bool on);
   /// Sets StaticOptions::sure of the searches from now on; 0.9 initially. A pose whose result was
