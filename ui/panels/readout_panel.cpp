@@ -24,6 +24,10 @@
 namespace sonde::ui {
 namespace {
 
+/// Of the probe's radius. A screw about an axis that far away is a slide as it is felt and seen:
+/// its path leaves the straight line by less than a thousandth of its length.
+constexpr double far_axis = 1000;
+
 QString percent(double part) { return QString::number(100 * part, 'f', 0) + QStringLiteral(" %"); }
 
 QString large(const QString& text) {
@@ -37,6 +41,15 @@ void show_components(QLabel& value, const QString& unit, const Vec3& x) {
   auto* form = static_cast<QFormLayout*>(value.parentWidget()->layout());
   static_cast<QLabel*>(form->labelForField(&value))
       ->setText(QStringLiteral("x, y, z, ") + (small ? QStringLiteral("m") : QString()) + unit);
+}
+
+/// The first of these texts that is no wider than the value's room; the last, if none is.
+void show_fitting(QLabel& value, const QStringList& texts) {
+  const auto fits = [&](const QString& text) {
+    return value.fontMetrics().horizontalAdvance(text) <= value.minimumWidth();
+  };
+  const auto found = std::ranges::find_if(texts, fits);
+  value.setText(found == texts.end() ? texts.back() : *found);
 }
 
 /// Why force and torque are less than the coupling asks for.
@@ -91,9 +104,13 @@ QLabel* ReadoutPanel::value(QFormLayout& form, const QString& name, const char* 
   number->setAlignment(Qt::AlignRight);
   number->setTextFormat(Qt::RichText);
   // As wide as nearly all numbers are: the dock keeps its width while they change.
-  const bool two = name.contains(QStringLiteral("turns"));
-  number->setMinimumWidth(number->fontMetrics().horizontalAdvance(
-      two ? QStringLiteral("88.8°, 88.888 mm (88 %)") : QStringLiteral("88.888 mm (88 %)")));
+  const bool two = name.contains(QStringLiteral("turns")) || name == QStringLiteral("screw");
+  const QStringList widest = two ? QStringList{QStringLiteral("88.8°, 88.888 mm (88 %)"),
+                                               QStringLiteral("0.000888°, 0.000888 mm")}
+                                 : QStringList{QStringLiteral("88.888 mm (88 %)")};
+  for (const QString& text : widest)
+    number->setMinimumWidth(
+        std::max(number->minimumWidth(), number->fontMetrics().horizontalAdvance(text)));
   label->setToolTip(doc);
   number->setToolTip(doc);
   form.addRow(label, number);
@@ -120,10 +137,12 @@ void ReadoutPanel::build_held(QVBoxLayout& layout) {
   rotation_ = value(*form, in_colour(colour::turn, QStringLiteral("turns")), "rotation_value",
                     QStringLiteral("How far it turns about its centre of mass, how far the turn "
                                    "moves the points, and its share of σ."));
-  screw_ = value(*form, QStringLiteral("screw"), "screw_value",
-                 QStringLiteral("The same motion as one turn about an axis and one slide along it. "
-                                "The axis is not through the centre of mass, which goes round it: "
-                                "the slide is shorter than the way of the centre of mass."));
+  screw_ =
+      value(*form, QStringLiteral("screw"), "screw_value",
+            QStringLiteral("The same motion as one turn about an axis and one slide along it. "
+                           "The axis is not through the centre of mass, which goes round it: "
+                           "the slide is shorter than the way of the centre of mass. Where the "
+                           "axis is very far away, it is a slide alone."));
   contacts_ = value(*form, QStringLiteral("contacts"), "contacts_value",
                     QStringLiteral("Places of contact that carry the separation."));
   depth_plot_ = new HistoryPlot(QStringLiteral("held"), colour::ghost, group);
@@ -227,6 +246,16 @@ QString ReadoutPanel::room_text(const Instant& now) const {
   return QStringLiteral("<span style='color:%1'>%2</span>").arg(faint_text(palette()).name(), room);
 }
 
+/// Of a motion about the centre of mass, in words: the longest first.
+QStringList ReadoutPanel::screw_texts(const SeparationMotion& motion) const {
+  const Screw screw = screw_of(motion, Vec3::Zero());
+  if (screw.point.norm() > far_axis * mass_.radius)
+    return {QStringLiteral("slide %1").arg(unit_.text(motion.t.norm()))};
+  const QString angle = angle_text(screw.turn), slide = unit_.text(std::abs(screw.slide));
+  return {QStringLiteral("%1, slide %2").arg(angle, slide),
+          QStringLiteral("%1, %2").arg(angle, slide)};
+}
+
 void ReadoutPanel::show_held(const Instant& now) {
   const Separation& separation = now.snapshot.separation;
   const bool held = separation.status == Status::penetrating;
@@ -248,13 +277,12 @@ void ReadoutPanel::show_held(const Instant& now) {
                      : unit_.text(length);
   };
   const SeparationMotion motion = separation_motion(mass_, separation.device, separation.separated);
-  const Screw screw = screw_of(motion, separation.device * mass_.com);
   const QString angle = angle_text(motion.theta.norm());
   translation_->setText(share(separation.translation, moved));
-  rotation_->setText(QStringLiteral("%1, %2").arg(angle, share(separation.rotation, turned)));
-  screw_->setText(held
-                      ? QStringLiteral("%1, slide %2").arg(angle, unit_.text(std::abs(screw.slide)))
-                      : QStringLiteral("–"));
+  // Small numbers have exponents: with all that is said of them they are wider than the dock.
+  show_fitting(*rotation_, {QStringLiteral("%1, %2").arg(angle, share(separation.rotation, turned)),
+                            QStringLiteral("%1, %2").arg(angle, unit_.text(separation.rotation))});
+  show_fitting(*screw_, held ? screw_texts(motion) : QStringList{QStringLiteral("–")});
   contacts_->setText(QString::number(separation.clusters.size));
 }
 

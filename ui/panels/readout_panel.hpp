@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <optional>
 
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "engine/penetration/search/pair.hpp"
 #include "engine/recording/curves.hpp"
 #include "ui/base/format.hpp"
@@ -40,6 +41,7 @@ class ReadoutPanel : public QDockWidget {
   void build_loop(QVBoxLayout& layout);
   void show_held(const Instant& now);
   QString room_text(const Instant& now) const;
+  QStringList screw_texts(const SeparationMotion& motion) const;
   void show_ways(const Separation& separation, const std::optional<BackgroundResult>& searched);
   void show_wrench(const Snapshot& snapshot);
   void show_loop(const Snapshot& snapshot);

@@ -56,6 +56,33 @@ TEST_F(ReadoutPanelTest, a_slide_against_the_turn_is_a_length_like_any_other) {
   EXPECT_TRUE(text("screw_value").endsWith("slide 3.000 mm")) << text("screw_value").toStdString();
 }
 
+/// Straight along x, with a turn of 4e-6 degrees that only rounding made: about z, by the formula,
+/// the axis is 85 km away and nothing slides along it. Reference: the way, 6 mm.
+TEST_F(ReadoutPanelTest, a_screw_about_an_axis_out_of_reach_is_a_slide) {
+  snapshot.separation.separated = {Quat(Eigen::AngleAxisd(7e-8, Vec3::UnitZ())), Vec3(6e-3, 0, 0)};
+  panel->show_numbers({snapshot, {}});
+  EXPECT_EQ(text("screw_value"), "slide 6.000 mm");
+}
+
+/// Turns and slides of every size, as an own part in a bore has them: the dock stays as wide, so
+/// that at its right edge nothing is cut off. Reference: the room that the values have with none.
+TEST_F(ReadoutPanelTest, numbers_of_any_size_fit_into_their_room) {
+  for (const double size : {1.0, 1e-2, 1e-4, 1e-5, 1e-6, 1e-7, 1e-9}) {
+    Separation& separation = snapshot.separation;
+    separation.sigma = 36e-6;
+    separation.translation = 6e-3;
+    separation.rotation = 9.876e-3 * size;
+    separation.separated = {Quat(Eigen::AngleAxisd(0.888 * size, Vec3::UnitZ())),
+                            Vec3(6e-3, 0, -7.89e-3 * size)};
+    panel->show_numbers({snapshot, {}});
+    for (const char* name : {"translation_value", "rotation_value", "screw_value"}) {
+      const QLabel& value = *panel->findChild<QLabel*>(name);
+      EXPECT_LE(value.fontMetrics().horizontalAdvance(value.text()), value.minimumWidth())
+          << name << ": " << value.text().toStdString();
+    }
+  }
+}
+
 TEST_F(ReadoutPanelTest, a_free_probe_has_a_clearance_and_a_failed_answer_no_number) {
   snapshot.separation.status = Status::separated;
   panel->show_numbers({snapshot, {}});
