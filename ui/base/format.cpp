@@ -35,6 +35,16 @@ std::string without_mesh_ending(const std::string& name) {
   return is_mesh_name(file) ? file.stem().string() + name.substr(length) : name;
 }
 
+/// Both ends of a long name, so that what is said after it has room.
+QString with_its_ends(const QString& name) {
+  constexpr int longest = 40, end = 15;
+  if (name.size() <= longest) return name;
+  int first = longest - end - 1, last = end;
+  if (name.at(first - 1).isHighSurrogate()) --first;  // half a letter
+  if (name.at(name.size() - last).isLowSurrogate()) --last;
+  return name.left(first) + QStringLiteral("…") + name.right(last);
+}
+
 }  // namespace
 
 LengthUnit::LengthUnit(double radius) {
@@ -102,7 +112,7 @@ QString short_name(const Body& body) {
   QString name = text(printable(without_mesh_ending(body.name)));
   // What turns the direction of a text would turn that of the words beside the name too.
   name.remove(QRegularExpression(QStringLiteral("[\\x{202a}-\\x{202e}\\x{2066}-\\x{2069}]")));
-  return name;
+  return with_its_ends(name);
 }
 
 QString round_figure(double value) { return QString::number(value, 'g', 6); }

@@ -47,7 +47,8 @@ QString angle_text(double radians);
 /// Three components with as many decimals as their length needs for three digits: "1.20, -0.04, 0".
 QString components_text(const Vec3& x);
 
-/// A body's name for users: the file's name, without folder and extension.
+/// A body's name for users: the file's name, without folder and extension. Of a long
+/// one, both ends.
 QString short_name(const Body& body);
 
 /// A figure that is already round, unchanged: "5", "0.2".

@@ -51,6 +51,17 @@ TEST(Format, the_name_of_a_body_does_not_turn_the_words_beside_it) {
   EXPECT_EQ(short_name(body), QStringLiteral("برغي"));
 }
 
+/// What is said after the name has room, and revisions, which stand at the end, are told apart.
+TEST(Format, of_a_long_name_both_ends_are_left) {
+  Body body;
+  body.name = "housing of the bearing for the second stage, revision 14 (final).stl";
+  EXPECT_EQ(short_name(body), QStringLiteral("housing of the bearing f…sion 14 (final)"));
+  EXPECT_EQ(short_name(body).size(), 40);
+  body.name = std::string(23, 'a');
+  for (int i = 0; i < 20; ++i) body.name += "𝔸";  // two units of UTF-16 each
+  EXPECT_FALSE(short_name(body).toUtf8().contains('?')) << "no half letters";
+}
+
 TEST(Format, of_a_name_only_the_ending_of_a_mesh_file_is_left_out) {
   Body body;
   const auto shown = [&](const char* name) {
