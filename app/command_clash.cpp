@@ -62,6 +62,15 @@ std::string new_name(std::set<std::string>& names, const std::string& wanted) {
   return name;
 }
 
+/// A mesh of its own by its file's name, or by its path as given where another file has that name.
+std::string name_beside(const std::vector<std::string>& files, const SceneBody& mesh) {
+  const std::filesystem::path& own = mesh.mesh;
+  const bool shared = std::ranges::any_of(files, [&](const std::filesystem::path& other) {
+    return other.filename() == own.filename() && other != own;
+  });
+  return shared ? own.string() : std::string();
+}
+
 /// A body in the world of its assembly, and the unit of its mesh.
 struct Placed {
   SceneBody body;
@@ -99,6 +108,7 @@ std::vector<Placed> placed(const ClashFlags& flags, ComponentFiles& files) {
     body.repair = repair_named(flags.repair).value();
     body.scale = flags.scale;
     body.components = flags.components;
+    if (!flags.components) body.name = name_beside(flags.files, body);
     add_parts(out, body, unit_in_metres(flags.unit).value(), files);
   }
   return out;

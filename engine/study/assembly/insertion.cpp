@@ -22,6 +22,9 @@ namespace {
 /// unambiguous.
 constexpr double largest_turn = 0.5 * std::numbers::pi;
 constexpr double most_twist = 1e6;
+/// Probe's radii. On a longer way the rounding of places comes near the room at which bodies touch,
+/// and rows are so far apart that none of them is at the fixed body.
+constexpr double most_travel = 1e6;
 /// Share of a step: the distance of the nearest row of a table from the first contact.
 constexpr double finest = 1e-3;
 
@@ -86,6 +89,8 @@ InsertionPath way_along(const Pair& pair, const Pose& start, const Vec3& axis, d
   const Vec3 unit = axis.stableNormalized();
   if (!(unit.squaredNorm() > 0.5)) throw refused("the axis has no length");
   if (!(travel > 0)) throw refused("the travel must be positive");
+  if (travel > most_travel * pair.probe().mass.radius)
+    throw refused("is over a million times as long as the probe is large");
   if (std::abs(twist) > most_twist) throw refused("the twist is beyond a million radians");
   const auto pieces =
       static_cast<std::size_t>(std::max(1.0, std::ceil(std::abs(twist) / largest_turn)));

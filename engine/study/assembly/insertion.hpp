@@ -23,8 +23,8 @@ struct InsertionPath {
 
 /// A screw motion: a translation along an axis (F, of any length but 0) by `travel` (m), with a
 /// turn about the axis through the centre of mass by `twist` (rad). Throws InputError if the axis
-/// has no length, the travel is not positive, a number is not finite, or the twist is beyond a
-/// million radians.
+/// has no length, the travel is not positive or over a million radii of the probe, a number is
+/// not finite, or the twist is beyond a million radians.
 InsertionPath way_along(const Pair& pair, const Pose& start, const Vec3& axis, double travel,
                         double twist);
 /// A path through the given poses. Throws InputError if there are fewer than two, or the path has

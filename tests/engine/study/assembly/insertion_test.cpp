@@ -141,6 +141,9 @@ TEST(Insertion, what_is_no_way_is_refused_with_the_reason) {
   EXPECT_THROW(way_along(pair, start, {0, nan, 1}, 0.1, 0), InputError);
   EXPECT_THROW(way_along(pair, start, Vec3::UnitZ(), 0, 0), InputError);
   EXPECT_THROW(way_along(pair, start, Vec3::UnitZ(), nan, 0), InputError);
+  EXPECT_THROW(way_along(pair, start, Vec3::UnitZ(), 1e9, 0), InputError)
+      << "rounded to 1e-7 m, it bound where it goes in";
+  EXPECT_NO_THROW(way_along(pair, start, Vec3::UnitZ(), 1e3, 0));
   EXPECT_THROW(way_through(pair, {start}), InputError);
   EXPECT_THROW(way_through(pair, {start, start}), InputError);
   EXPECT_THROW(first_contact(pair, way_along(pair, above(0.012, -0.02), Vec3::UnitZ(), 1, 0)),
