@@ -134,5 +134,37 @@ TEST_F(Stalls, Full_no_event_waits_for_more_than_50_ms) {
   expect_alive(dog);
 }
 
+/// Each dock as it is opened for the first time, and a person at work after that. A dock folds the
+/// one that was open at its side.
+TEST_F(Stalls, Full_nor_while_each_dock_opens) {
+  folder.write("torus.off", torus(100));
+  folder.write("tori.sonde.json", R"({"fixed": {"mesh": "torus.off"},
+      "probe": {"mesh": "torus.off", "pose": [0.1, 0, 0, 0.8, 0.6, 0, 0]}})");
+  open({path("tori.sonde.json")});
+  wait(1000);
+  const QList<QDockWidget*> docks = window->findChildren<QDockWidget*>();
+  for (QDockWidget* dock : docks) dock->hide();
+  wait(200);
+  Watchdog dog;
+  for (QDockWidget* dock : docks)
+    run(dog, qPrintable(dock->objectName()), [dock] {
+      dock->show();
+      dock->raise();
+      wait(500);
+      EXPECT_TRUE(dock->isVisible()) << "one at a side gives way to the next";
+    });
+  run(dog, "place, docks open", [this] { place({-0.02, 0.005, 0}); });
+  run(dog, "undo and redo, docks open", [this] {
+    for (const char* name : {"undo", "redo", "undo"}) act(name), wait(100);
+  });
+  run(dog, "scrub, docks open", [this] {
+    auto* track = find<QSlider>("timeline");
+    track->setSliderDown(true);
+    for (int i = 0; i < 20; ++i) track->setValue(track->maximum() * i / 20), wait(40);
+    track->setSliderDown(false);
+  });
+  expect_alive(dog);
+}
+
 }  // namespace
 }  // namespace sonde::ui::test
