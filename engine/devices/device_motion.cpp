@@ -76,7 +76,8 @@ void DeviceMotion::configure() noexcept {
 void DeviceMotion::set_settings(const DeviceSettings& settings) noexcept {
   const bool same_axes = settings.axes == settings_.axes && settings.frame == settings_.frame;
   if (same_axes) rescaled_ *= settings.scaling / settings_.scaling;
-  const bool turned = remapped_ || !same_axes;
+  // A new anchor changes the torque on a handle whose turns are inverted or scaled.
+  const bool turned = remapped_ || !same_axes || !map_.turns_as_handle();
   settings_ = settings;
   configure();
   remapped_ = turned;

@@ -43,6 +43,9 @@ class WorkspaceMap {
     double rotation = 1;
   };
   Ratios largest_ratios() const noexcept;
+  /// Whether the probe turns just as the handle does. Else a torque on the handle depends on the
+  /// turn since the anchor, and jumps with a new one.
+  bool turns_as_handle() const noexcept { return M_ == Mat3::Identity(); }
 
  private:
   /// Moves the anchor to a quarter turn about the axis (in B, unit) behind the present poses.

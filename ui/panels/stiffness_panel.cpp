@@ -292,14 +292,19 @@ void StiffnessPanel::show_map() {
 
 void StiffnessPanel::show_device(const std::string& id, const QString& connected,
                                  const std::string& model) {
+  // What the user has chosen since stays, whatever else of the device changes.
+  const bool another = simulated_ != id || model_ != model;
   simulated_ = id;
   connected_ = connected;
-  study_->choose_device(id.empty() ? model : id);
+  model_ = model;
+  if (another) study_->choose_device(id.empty() ? model : id);
   show_doubt();
 }
 
 bool StiffnessPanel::is_of_connected() const {
-  return tuning_ && is_named_in(tuning_->results, connected_, known_);
+  if (!tuning_) return false;
+  const bool of_its_model = !model_.empty() && tuning_->results.device_id == model_;
+  return of_its_model || is_named_in(tuning_->results, connected_, known_);
 }
 
 void StiffnessPanel::show_doubt() {

@@ -85,7 +85,7 @@ class StiffnessPanel : public QDockWidget {
 
   std::optional<Tuning> tuning_;
   Coupling now_;
-  std::string simulated_, contact_;
+  std::string simulated_, model_, contact_;
   std::vector<std::string> known_;  ///< ids of profiles
   QString connected_;
   QComboBox *axes_, *shown_kinds_;

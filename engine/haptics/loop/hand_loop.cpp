@@ -213,11 +213,12 @@ double HandLoop::most_torque() const noexcept {
 void HandLoop::set_change_rate(const HandSample& sample) noexcept {
   rate_ = {.force = 0, .torque = 0};
   if (sample.device && !sample.trial)
-    rate_ = change_rate_at_probe(of_hand_, most_force(), most_torque(), sample.device->ratio,
+    rate_ = change_rate_at_probe(of_hand_, most_force() * sample.device->ratio,
+                                 most_torque() * sample.device->turn_ratio, sample.device->ratio,
                                  sample.device->turn_ratio);
   whole_rate_ = rate_;
   // If the handle yields to the force, as it does if nobody holds it, the force rises more slowly.
-  const double share = share_where_it_yields(yields_);
+  const double share = share_where_it_yields(at_handle(yields_));
   rate_.force *= share;
   rate_.torque *= share;
   gate_.set_change_rate(rate_);
@@ -263,13 +264,18 @@ void HandLoop::hold_below(double rescaled) noexcept {
 /// What the coupling wants, and what is carried over from another scale.
 Wrench HandLoop::wanted(const HandSample& sample, double dt) noexcept {
   const bool contact = out_.separation.status == Status::penetrating;
-  const bool anew = std::exchange(anew_, false) || sample.changed;
-  if (!contact) {
-    felt_already_.reset();
-    carried_.restart();
-  }
+  // A device may be known only some ticks after it was handed over, and an answer may fail: what it
+  // bears is asked in the first tick of the contact that has both.
+  anew_ = anew_ || sample.changed;
+  const bool anew = anew_ && contact && device_;
+  if (anew || out_.separation.status == Status::separated) anew_ = false;
+  if (out_.separation.status == Status::separated) felt_already_.reset();
+  if (!contact) carried_.restart();
   const bool scaled = sample.rescaled > 0 && sample.rescaled != 1;
-  if (contact && device_ && (scaled || anew)) hold_below(anew ? 0 : sample.rescaled);
+  if (anew)
+    hold_below(0);
+  else if (scaled && contact && device_)
+    hold_below(sample.rescaled);
   const Wrench felt = out_.hand.asked;
   const Wrench now = coupler_.wrench(out_.separation, dt);
   if (scaled && !anew && contact && device_ && pushed()) {
@@ -278,8 +284,7 @@ Wrench HandLoop::wanted(const HandSample& sample, double dt) noexcept {
     damping_.force *= per;
     carried_.carry({felt.force * per, felt.torque}, now);
   }
-  const double ratio = device_ && device_->ratio > 0 ? device_->ratio : 1;
-  return carried_.added_to(now, whole_rate_, velocity_ / ratio, dt);
+  return carried_.added_to(now, whole_rate_, velocity_ * at_handle(1), dt);
 }
 
 double HandLoop::most_of_glide(const GainGlide& glide, double dt) noexcept {
@@ -403,13 +408,14 @@ void HandLoop::say_gate() noexcept {
 
 const HandTick& HandLoop::fade(const HandSample& sample, double dt, double time) noexcept {
   const bool can = sample.device && sample.trusted && sample.held && is_finite(sample.X_FM) &&
-                   out_.hand.withheld == Withheld::nothing && dt > 0 && time > 0;
+                   !sample.changed && out_.hand.withheld == Withheld::nothing && dt > 0 && time > 0;
   if (!can) return rest(Withheld::shut_down);
   device_ = sample.device;
   follow(sample, dt);
+  if (fault(sample) != Withheld::nothing) return rest(Withheld::shut_down);
   set_change_rate(sample);
   // As the force falls, a hand that is not firm presses on: no faster than it may be moved.
-  const double share = share_where_it_yields(std::max(0.0, -yields_));
+  const double share = share_where_it_yields(std::max(0.0, -at_handle(yields_)));
   const double force = out_.wrench.force.norm(), torque = out_.wrench.torque.norm();
   const auto less = [&](const Vec3& of, double size, double rate) {
     const double by = std::max(rate * dt, size * dt / time);

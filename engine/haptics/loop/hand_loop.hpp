@@ -125,6 +125,10 @@ class HandLoop {
   void spend(const Wrench& passed, double dt) noexcept;
   /// The limits of the wrench: those of the coupling, and those of the device if known.
   double most_force() const noexcept;
+  /// Of the handle, from a speed of the probe, m/s.
+  double at_handle(double speed) const noexcept {
+    return device_ && device_->ratio > 0 ? speed / device_->ratio : speed;
+  }
   double most_torque() const noexcept;
   /// Renders the wrench of a hand that is being measured, through the gate.
   void try_out(HandTrial& trial, Withheld reason, double dt) noexcept;
@@ -154,7 +158,8 @@ class HandLoop {
   CarriedForce carried_;
   /// Until the contact is left, gains that are stable by estimate, or no more than these, are all.
   std::optional<FeltGains> felt_already_;
-  bool anew_ = true;  ///< no tick since the start
+  /// Since the start, or since another device was handed over, no tick had a device and a contact.
+  bool anew_ = true;
   ClusterIds ids_;
   double lag_ = 0;                   ///< m, of the last answer (LocalAnswer)
   double way_ = 0, way_before_ = 0;  ///< m, in the object norm, of the last two ticks

@@ -191,9 +191,9 @@ class Servo::State::Run {
   /// Lets the force of a pressed hand fall gradually: another scene or method may begin soon.
   void fade() noexcept {
     if (snapshot_.tick == 0 || snapshot_.paused || last_begin_ == 0) return;
-    if (!s_.force.load(std::memory_order_relaxed)) return;
     const double dt = static_cast<double>(schedule_.period) * 1e-9;
     for (double left = HandLoop::longest_fade; left > 0; left -= dt) {
+      if (!s_.force.load(std::memory_order_relaxed)) return;
       const HandTick& done = s_.loop.fade(sample(monotonic_ns()), dt, left);
       render(done.wrench);
       if (done.wrench.force.isZero(0) && done.wrench.torque.isZero(0)) return;

@@ -330,6 +330,20 @@ TEST(DeviceMotion, what_turns_the_force_lets_go_for_a_tick) {
   EXPECT_FALSE(motion.move(pushed(SixAxes::Zero()), 0.001).changed) << "a puck has no force";
 }
 
+// The torque on such a handle depends on the turn since the anchor, and any setting anchors anew.
+TEST(DeviceMotion, of_a_handle_whose_turns_are_inverted_any_setting_takes_the_force) {
+  for (const bool inverted : {false, true}) {
+    DeviceSettings settings = in_scene();
+    settings.axes.axes[5].inverted = inverted;
+    DeviceMotion motion(settings, com, start);
+    motion.move(handle_at({0, 0, 0}, 1.2), 0.001);
+    motion.move(handle_at({0, 0, 0}, 1.2), 0.001);
+    settings.smoothing = 0.1;
+    motion.set_settings(settings);
+    EXPECT_EQ(motion.move(handle_at({0, 0, 0}, 1.2), 0.001).changed, inverted);
+  }
+}
+
 TEST(DeviceMotion, another_scaling_alone_is_told_and_takes_no_force) {
   DeviceSettings settings = in_scene();
   DeviceMotion motion(settings, com, start);

@@ -8,6 +8,7 @@
 
 #include "tests/engine/study/tuning/made_up_results.hpp"
 #include "tests/ui/window_fixture.hpp"
+#include "ui/panels/study_box.hpp"
 
 namespace sonde::ui::test {
 namespace {
@@ -100,6 +101,9 @@ TEST_F(StiffnessPanelTest, a_map_of_another_device_is_doubted) {
   EXPECT_FALSE(shows("tuning_doubt")) << "it calls itself by that name";
   panel->show_device("", "Some arm", "sigma.7-measured");
   EXPECT_EQ(panel->device_id(), "sigma.7-measured") << "the model of what is connected";
+  panel->findChild<StudyBox*>()->choose_device("omega.7");
+  panel->show_device("", "Some arm", "sigma.7-measured");
+  EXPECT_EQ(panel->device_id(), "omega.7") << "what the user has chosen since";
   EXPECT_TRUE(text("tuning_doubt").contains("Whether Some arm is one is not known"));
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "tests/engine/haptics/loop/hand_loop_bench.hpp"
 
@@ -81,6 +82,34 @@ TEST(HandLoopReports, a_leap_stays_one_however_long_the_device_was_silent) {
     const HandTick& tick = bench.tick({.X_FM = at_depth(0.016), .device = traits, .since = since});
     EXPECT_LT(tick.wrench.force.z(), 0.55) << since;
   }
+}
+
+/// N/m in use in a contact, of 50 000 asked for, by a device that is handed over in the first tick
+/// and known `late` ticks after that; whether its answer fails once in between.
+double held_gains(int late, bool fails) {
+  const DeviceTraits traits{.max_force = 3.3, .mass = 0.1, .period = 1e-3};
+  Coupling coupling;
+  coupling.k = 50000;
+  HandLoopBench bench({}, coupling);
+  for (int i = 0; i < 100; ++i) bench.tick({.X_FM = at_depth(0.002)});
+  HandSample sample{.X_FM = at_depth(0.002)};
+  for (int i = 0; i < 500; ++i) {
+    sample.changed = i == 0;
+    sample.trusted = i >= late;
+    if (i >= late) sample.device = traits;
+    if (fails && i == 300) sample.X_FM.p.x() = std::numeric_limits<double>::quiet_NaN();
+    bench.tick(sample);
+    sample.X_FM = at_depth(0.002);
+  }
+  return bench.loop.last().hand.gains.now.k;
+}
+
+// Reference: the same device, known at once. Arms open in a thread of their own.
+TEST(HandLoopReports, gains_are_held_for_a_device_that_is_known_late) {
+  const double at_once = held_gains(0, false);
+  EXPECT_LT(at_once, 10000);
+  for (const int late : {1, 3, 50}) EXPECT_EQ(held_gains(late, false), at_once) << late;
+  EXPECT_EQ(held_gains(0, true), at_once);
 }
 
 }  // namespace
