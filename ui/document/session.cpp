@@ -221,8 +221,8 @@ std::optional<GaugedClearance> Session::clearance(const Pose& X_FM) {
 
 void Session::let_go() {
   wanted_.reset();
+  if (!placing()) servo_.stop();  // while the force is on: it falls gradually
   set_force(false);
-  if (!placing()) servo_.stop();
   hold_by_mouse();
 }
 

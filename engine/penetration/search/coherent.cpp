@@ -278,9 +278,10 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
     goal.held_off = held_off * (moved + s.lag);
     const bool was_limited = effort.is_limited();
     found = s.descent.run(chart, y, goal, std::max(moved, 1e-9 * s.probe.mass.radius), effort);
-    const bool fell_too_far = !was_limited && effort.is_limited() && !found.converged;
-    if (fell_too_far) s.limit_while_behind = work_of_fall;
-    found.limited += fell_too_far;
+    const bool by_own_limit = budget.work == 0 && !(budget.microseconds > 0);
+    const bool stopped = by_own_limit && effort.is_limited() && !found.converged;
+    if (stopped && !was_limited) s.limit_while_behind = work_of_fall;
+    found.limited += stopped;
     s.descent.prepare_next_list(farthest_move(s.probe.mass, s.device, device), effort);
   } else {
     found.move_to(from);
