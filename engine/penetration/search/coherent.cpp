@@ -275,7 +275,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
     goal.straight_first = was_free;
     goal.far = jump_of_device * s.probe.mass.radius;
     goal.work_of_fall = work_of_fall;
-    goal.held_off = held_off * (moved + s.lag);
+    goal.held_off = held_off * moved;
     const bool was_limited = effort.is_limited();
     found = s.descent.run(chart, y, goal, std::max(moved, 1e-9 * s.probe.mass.radius), effort);
     const bool by_own_limit = budget.work == 0 && !(budget.microseconds > 0);
