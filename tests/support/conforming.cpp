@@ -208,6 +208,33 @@ PolygonSoup cut_socket(double clearance, const Cutting& cutting) {
   return quilt.take();
 }
 
+PolygonSoup wavy_block(WavyBlock which, int n) {
+  const auto wave = [](double x, double y) { return 0.02 * std::sin(18 * x) * std::cos(14 * y); };
+  Quilt quilt{Cutting{}};
+  const auto at = [&](int i, int j, bool top) {
+    const double x = double(i) / n - 0.5, y = double(j) / n - 0.5;
+    const bool wavy = top == (which == WavyBlock::below);
+    return Vec3(x, y, wavy ? wave(x, y) : top ? 0.3 : -0.3);
+  };
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      for (const bool top : {false, true}) {
+        const Vec3 a = at(i, j, top), b = at(i + 1, j, top), c = at(i + 1, j + 1, top),
+                   d = at(i, j + 1, top);
+        top ? quilt.patch(a, b, c, d, 1, 1) : quilt.patch(a, d, c, b, 1, 1);
+      }
+  const auto wall = [&](int i, int j, int to_i, int to_j) {
+    quilt.patch(at(i, j, false), at(to_i, to_j, false), at(to_i, to_j, true), at(i, j, true), 1, 1);
+  };
+  for (int k = 0; k < n; ++k) {
+    wall(k, 0, k + 1, 0);
+    wall(n, k, n, k + 1);
+    wall(k + 1, n, k, n);
+    wall(0, k + 1, 0, k);
+  }
+  return quilt.take();
+}
+
 PolygonSoup repeated(const PolygonSoup& soup, int times) {
   PolygonSoup out{soup.points, {}};
   for (int i = 0; i < times; ++i)

@@ -49,6 +49,13 @@ PolygonSoup cut_peg(const Cutting& cutting);
 constexpr double socket_depth = 0.02;
 PolygonSoup cut_socket(double clearance, const Cutting& cutting);
 
+/// A block of 1 × 1 × 0.3 m, one face of which is a wavy surface through the origin, the same for
+/// both kinds: its upper face (`below`), or its lower face. The two lie on each other, and the
+/// normals of the surface point up to 0.36 to any side for each 1 upwards. n × n × 4 + 8 n
+/// triangles.
+enum class WavyBlock { below, above };
+PolygonSoup wavy_block(WavyBlock which, int n);
+
 /// Every triangle so many times over.
 PolygonSoup repeated(const PolygonSoup& soup, int times);
 PolygonSoup turned(PolygonSoup soup, const Quat& q);

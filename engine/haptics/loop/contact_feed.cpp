@@ -25,8 +25,7 @@ ContactFeed::ContactFeed(const Pair& pair, Method method)
     : pair_(pair),
       method_(method),
       solver_(pair, method),
-      near_(pair.probe(), pair.fixed(), method,
-            {.most_pairs = loop_tuning.most_pairs, .most_listed = NeighbourList::enough}),
+      near_(pair.probe(), pair.fixed(), method, {.most_pairs = loop_tuning.most_pairs}),
       marked_(ContactRows::capacity) {}
 
 const LocalContacts& ContactFeed::reset(const Pose& X_FM, const StaticOptions& options) {

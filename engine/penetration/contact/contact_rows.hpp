@@ -41,9 +41,8 @@ class ContactRows {
   struct Finding {
     /// A gather makes rows of at most this many pairs, the nearest. add_cuts() finds the others.
     std::size_t most_pairs = contact_tuning.most_pairs;
-    /// Capacity, in pairs, of the neighbour list that is kept from one gather to the next. 0: there
-    /// is no list.
-    std::size_t most_listed = NeighbourList::enough;
+    /// Whether neighbour lists are kept from one gather to the next.
+    bool keeps_lists = true;
   };
   static constexpr std::size_t capacity = contact_tuning.most_rows;
   ContactRows(const Body& probe, const Body& fixed, Method method, const Finding& finding);

@@ -104,7 +104,8 @@ Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& 
 
 double Descent::most_of_path(const Chart& chart, const Vec6& y, const Vec6& step, double margin,
                              const Pace& pace) const noexcept {
-  const double quick = std::max(std::min(longest_path_, pace.longest), 8 * margin);
+  const double quick =
+      std::max(std::min(longest_path_, pace.longest), descent_tuning.least_path * margin);
   return quick / Motion(chart, y, y + step).farthest(chart.mass().radius);
 }
 
@@ -120,6 +121,11 @@ Sweep Descent::sweep_to(const Chart& chart, const Vec6& y, const Vec6& target,
 
 Sweep Descent::short_sweep_to(const Chart& chart, const Vec6& y, const Vec6& target,
                               Effort& effort) noexcept {
+  // No path is shorter than the least one, so that one may take what the tick has: else the probe
+  // would stay where it is for ever.
+  const double least = descent_tuning.least_path * margin(chart, y.norm());
+  if (Motion(chart, y, target).farthest(chart.mass().radius) < 1.01 * least)
+    return sweep_to(chart, y, target, effort);
   return effort.at_most(descent_tuning.most_work_of_sweep,
                         [&](Effort& part) { return sweep_to(chart, y, target, part); });
 }

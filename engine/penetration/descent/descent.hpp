@@ -118,7 +118,8 @@ class Descent {
   /// require.
   Vec6 next_step(const Chart& chart, const Vec6& y, const LeastDistance& nearest, double margin,
                  double rise, const Pace& pace) noexcept;
-  /// As sweep_to(), but given up after DescentTuning::most_work_of_sweep.
+  /// As sweep_to(), but given up after DescentTuning::most_work_of_sweep unless the path is of the
+  /// least length.
   Sweep short_sweep_to(const Chart& chart, const Vec6& y, const Vec6& target,
                        Effort& effort) noexcept;
   /// Moves a probe that stopped away from any contact straight towards the device pose, up to the

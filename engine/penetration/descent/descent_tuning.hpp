@@ -66,6 +66,8 @@ struct DescentTuning {
   /// and more ticks do not converge. On two other nuts the longest tick, a fall by half a turn,
   /// went from 1323 and 2378 ms without a limit to 118 and 101.)
   std::int64_t most_work_of_sweep = 300'000;
+  /// Margins: no path is made shorter because its sweep takes too much.
+  double least_path = 8;
   /// Factor on the length of a path whose sweep used up the effort: the next path is no longer.
   double longest_after_giving_up = 0.25;
   /// Share of that length, which grows by a factor from path to path: no path is longer. Else every

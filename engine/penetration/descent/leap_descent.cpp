@@ -14,8 +14,8 @@ namespace {
 
 constexpr const LeapTuning& leaps = leap_tuning;
 
-constexpr ContactRows::Finding few{.most_pairs = leaps.few_pairs, .most_listed = 0};
-constexpr ContactRows::Finding many{.most_pairs = leaps.many_pairs, .most_listed = 0};
+constexpr ContactRows::Finding few{.most_pairs = leaps.few_pairs, .keeps_lists = false};
+constexpr ContactRows::Finding many{.most_pairs = leaps.many_pairs, .keeps_lists = false};
 
 /// Shortens a step so that |y| decreases along all of it, its turn is within bounds, and it is no
 /// longer than `trust` (m).

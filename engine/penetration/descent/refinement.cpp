@@ -9,7 +9,7 @@ namespace sonde {
 namespace {
 
 constexpr ContactRows::Finding unlisted{.most_pairs = refinement_tuning.most_pairs,
-                                        .most_listed = 0};
+                                        .keeps_lists = false};
 
 }  // namespace
 

@@ -55,6 +55,8 @@ constexpr double held_off = 4;
 /// and 36 to 83 ms with a limit of 3 million for what came far alone, and take 7, 9, 14 and 7 to 8
 /// ms; 22, 1, 2 and 9 to 19 ticks do not converge where it was 9, 0, 0 and 0 to 7.)
 constexpr std::int64_t work_of_fall = 450'000;
+/// The same, some minutes: the limit is doubled after a tick that changes nothing.
+constexpr std::int64_t most_work_of_fall = std::int64_t(1) << 34;
 
 }  // namespace
 
@@ -68,6 +70,7 @@ struct CoherentSolver::State {
   FreeRegion free_region{probe, fixed};
   PhaseTimes times;  ///< of this tick, if timing is on
   bool timed = false;
+  bool turn_given_up = false;  ///< in this tick: its effort ran out before the probe could turn
   Separation last;
   Pose device;     ///< the last device pose that was not refused
   Pose separated;  ///< the last separated pose: free
@@ -77,6 +80,8 @@ struct CoherentSolver::State {
   /// Units of Effort: limit of a tick without one, while the probe has not yet reached its optimum
   /// after a jump of the device or a fall; 0: none.
   std::int64_t limit_while_behind = 0;
+  /// Units of Effort: limit of a tick that becomes a fall.
+  std::int64_t limit_of_fall = work_of_fall;
   /// Share of the allowed clearance: the largest distance of the last pose above its contacts.
   /// After a search it is all of it.
   double gap = 1;
@@ -126,11 +131,18 @@ struct CoherentSolver::State {
   /// The effort of a tick. After a jump or a fall it is limited even if no limit was asked for, and
   /// so are the next ticks until the probe has caught up.
   Effort effort_of(const Budget& budget, double moved) noexcept {
-    if (last.converged) limit_while_behind = 0;
+    if (last.converged) limit_while_behind = 0, limit_of_fall = work_of_fall;
     if (moved > jump_of_device * probe.mass.radius) limit_while_behind = work_after_jump;
     const double until = budget.microseconds > 0 ? now_us() + budget.microseconds : 0;
     const bool unlimited = budget.work == 0 && until == 0;
     return {unlimited ? limit_while_behind : budget.work, until};
+  }
+
+  /// After a tick that its own limit stopped. If neither the device nor the probe has moved, the
+  /// next tick would be the same, and so on for ever.
+  void learn_limit(bool moved) noexcept {
+    if (!moved) limit_of_fall = std::min(2 * limit_of_fall, most_work_of_fall);
+    limit_while_behind = std::max(limit_while_behind, limit_of_fall);
   }
 
   /// If the probe was free and cannot have reached any contact since, sets the result that a
@@ -169,9 +181,17 @@ struct CoherentSolver::State {
   /// motion. It tries the position at which the rows of the last tick let the probe rest; then
   /// positions lifted off the contacts by multiples of the distance that the turn can move a point
   /// of the probe (the descent lowers it again). Returns false if all of these are blocked; y is
-  /// then turned as far as possible.
+  /// then turned as far as possible. Without a limit of the tick, it takes no more than a fall.
   bool follow_turn(const Chart& chart, Effort& effort, Vec6& y) noexcept {
     if (!(y.head<3>().norm() > 0)) return true;
+    const auto turn = [&](Effort& part) {
+      const bool followed = try_to_turn(chart, part, y);
+      turn_given_up = part.is_spent();
+      return followed;
+    };
+    return effort.is_limited() ? turn(effort) : effort.at_most(limit_of_fall, turn);
+  }
+  bool try_to_turn(const Chart& chart, Effort& effort, Vec6& y) noexcept {
     const double depth = y.tail<3>().norm();
     const double reach = 2 * chart.v(y).norm() * probe.mass.radius;
     Vec6 furthest = y;
@@ -257,6 +277,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   const Pose device{X_FM.q.normalized(), X_FM.p};
   if (s.stays_free(device)) return s.last;
   s.times = {};
+  s.turn_given_up = false;
   const double moved = s.device_motion(device);
   const bool was_free = s.was_free();
   if (s.lifted && moved > 0) s.separated = *std::exchange(s.lifted, std::nullopt);
@@ -274,13 +295,13 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
     goal.held_slope = bend_of_metric * (moved + s.lag);
     goal.straight_first = was_free;
     goal.far = jump_of_device * s.probe.mass.radius;
-    goal.work_of_fall = work_of_fall;
+    goal.work_of_fall = s.limit_of_fall;
     goal.held_off = held_off * moved;
-    const bool was_limited = effort.is_limited();
     found = s.descent.run(chart, y, goal, std::max(moved, 1e-9 * s.probe.mass.radius), effort);
     const bool by_own_limit = budget.work == 0 && !(budget.microseconds > 0);
-    const bool stopped = by_own_limit && effort.is_limited() && !found.converged;
-    if (stopped && !was_limited) s.limit_while_behind = work_of_fall;
+    const bool stopped =
+        by_own_limit && (s.turn_given_up || (effort.is_limited() && !found.converged));
+    if (stopped) s.learn_limit(moved > 0 || found.y != from);
     found.limited += stopped;
     s.descent.prepare_next_list(farthest_move(s.probe.mass, s.device, device), effort);
   } else {

@@ -19,6 +19,12 @@ ArmMap arms_at(const Body& a, const Transform& X) { return arm_map(X.R, X * a.ma
 
 }  // namespace
 
+std::size_t NeighbourList::enough(const Body& a, const Body& b) {
+  constexpr std::size_t least = 32'768, most = 131'072, per_triangle = 8;
+  return std::clamp(per_triangle * (surface(a).triangles.size() + surface(b).triangles.size()),
+                    least, most);
+}
+
 NeighbourList::NeighbourList(const Body& a, const Body& b, std::size_t capacity)
     : a_(a),
       b_(b),

@@ -19,7 +19,7 @@ Vec3 arm_moment(const Contact& contact, const Vec3& com) {
 }  // namespace
 
 ContactTorque::ContactTorque(const Body& probe, const Body& fixed)
-    : probe_(probe), rows_(probe, fixed, Method::pdt, {.most_pairs = 512, .most_listed = 0}) {}
+    : probe_(probe), rows_(probe, fixed, Method::pdt, {.most_pairs = 512, .keeps_lists = false}) {}
 
 Vec3 ContactTorque::at(const Separation& separation) {
   if (separation.status != Status::penetrating) return Vec3::Zero();

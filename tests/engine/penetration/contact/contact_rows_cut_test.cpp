@@ -82,7 +82,7 @@ TEST(ContactRows, what_a_cut_loses_to_a_plane) {
         const bool in_the_way = gap - sunk < 0.95 * held;
         EXPECT_EQ(look.clear, !in_the_way) << gap << " " << share;
         EXPECT_EQ(look.news, in_the_way) << gap << " " << share;
-        const double left = finding.most_listed > 0 ? gap - sunk : std::max(0.0, gap - sunk);
+        const double left = finding.keeps_lists ? gap - sunk : std::max(0.0, gap - sunk);
         EXPECT_NEAR(look.lost, in_the_way ? held - left : 0, 1e-12) << gap << " " << share;
       }
 }

@@ -34,7 +34,7 @@ struct Outcome {
 /// As a follower uses them: `wanted` is asked for at the start of a tick, a path is swept, and what
 /// is left of the tick's effort goes into the next list.
 Outcome slide(const Sliding& scene, std::int64_t work, double wanted, double will_do) {
-  PairLists lists(*scene.rod, *scene.hole, NeighbourList::enough);
+  PairLists lists(*scene.rod, *scene.hole, NeighbourList::enough(*scene.rod, *scene.hole));
   std::vector<NearPair> from_list(1 << 14), from_trees(1 << 14);
   Outcome out;
   const Vec3 centre = scene.rod->mass.com;
@@ -70,7 +70,7 @@ Outcome slide(const Sliding& scene, std::int64_t work, double wanted, double wil
 // Reference: near_pairs, itself tested against all pairs; a list is there or not.
 TEST(PairLists, one_made_ahead_serves_where_it_will_do) {
   const Sliding scene;
-  PairLists lists(*scene.rod, *scene.hole, NeighbourList::enough);
+  PairLists lists(*scene.rod, *scene.hole, NeighbourList::enough(*scene.rod, *scene.hole));
   Effort unlimited;
   const double will_do = 1e-5;
   lists.renew(scene.at(0), {will_do, 2 * will_do, will_do, scene.rod->mass.com, {}}, unlimited);

@@ -90,7 +90,7 @@ TEST(Descent, what_has_come_far_gets_a_limit_and_says_so) {
 // the other way. Reference: the same run without a limit, which goes all that way at once.
 TEST(Descent, a_run_whose_paths_take_too_much_gets_a_limit_and_says_so) {
   constexpr std::int64_t work = 450'000;
-  int long_runs = 0;
+  int long_runs = 0, unlimited_runs = 0;
   for (const test::FittedScene& scene : test::joint_scenes()) {
     if (!scene.name.ends_with("jammed")) continue;
     const auto probe = test::body(scene.probe), fixed = test::body(scene.fixed);
@@ -99,6 +99,8 @@ TEST(Descent, a_run_whose_paths_take_too_much_gets_a_limit_and_says_so) {
     DescentGoal goal;
     goal.work_of_fall = work;
     goal.far = 0.25 * probe->mass.radius;
+    DescentGoal follower = goal;  // not held off by its contacts: only far from its start
+    follower.held_off = 1e3 * probe->mass.radius;
     const std::vector<Pose> path = test::fitted_path(scene.path, 3000);
     solver.reset(path.front());
     for (const Pose& device : path) {
@@ -124,12 +126,19 @@ TEST(Descent, a_run_whose_paths_take_too_much_gets_a_limit_and_says_so) {
       }
       EXPECT_FALSE(out.converged) << scene.name;
       EXPECT_GT(out.limited, 0) << scene.name;
+      Effort followed;
+      const Descent::Outcome on = run(follower, followed);
+      if ((on.y - y).norm() < goal.far) {
+        EXPECT_FALSE(followed.is_limited()) << scene.name;
+        ++unlimited_runs;
+      }
       // The list and the path before the limit may have spent more by themselves.
       EXPECT_GT(cut.left(), -work) << scene.name;
       ++long_runs;
     }
   }
   EXPECT_GT(long_runs, 3);
+  EXPECT_GT(unlimited_runs, 0);
 }
 
 // A turn is cut into steps of one length, which are no series.

@@ -9,6 +9,9 @@
 #include <string>
 #include <tuple>
 
+#include "engine/geometry/chart.hpp"
+#include "engine/geometry/rotation.hpp"
+#include "engine/penetration/descent/descent.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/penetration/search/static_search.hpp"
 #include "tests/engine/penetration/conforming_checks.hpp"
@@ -308,6 +311,63 @@ void search_unjoined_faces(const std::vector<int>& cuts) {
           EXPECT_NEAR(s.depth, want, 0.01 * want) << describe(*scene, of_probe, skew);
         }
     }
+}
+
+/// The upper block is pressed down by 0.03 m, and then moved aside and turned, so far that the
+/// waves hold it in its seat.
+std::vector<Pose> pressed_and_turned(int ticks) {
+  std::vector<Pose> out;
+  for (int k = 0; k < ticks; ++k) {
+    const double down = std::min(1.0, 2.0 * k / ticks), on = std::max(0.0, 2.0 * k / ticks - 1);
+    out.push_back({rotation_by(Vec3(0, 0, 0.01 * on)), {0.006 * on, 0, 0.001 - 0.031 * down}});
+  }
+  return out;
+}
+
+/// Checks the tick's depth against that of the way back to the seat, which the whole wavy face
+/// holds: a closed form. The returned pose may lie above it by the promised clearance.
+void expect_seated(const Body& probe, const Separation& found) {
+  const Pose seat{Quat::Identity(), Vec3::Zero()};
+  const double want = Chart(probe.mass, found.device).coordinates(seat).norm();
+  EXPECT_TRUE(found.converged) << want << " m";
+  EXPECT_NEAR(found.depth, want, allowed_clearance(probe.mass.radius, want)) << want << " m";
+}
+
+// Some 42 000 pairs of triangles touch.
+TEST(Conforming, a_wavy_face_in_its_like_is_held_by_all_of_it) {
+  const auto probe = test::body(test::wavy_block(test::WavyBlock::above, 40));
+  const auto fixed = test::body(test::wavy_block(test::WavyBlock::below, 40));
+  CoherentSolver solver({probe, fixed});
+  const std::vector<Pose> path = pressed_and_turned(30);
+  solver.reset(path.front());
+  for (const Pose& device : path) {
+    const Separation& found = solver.tick(device);
+    if (device.p.z() < -1e-3) expect_seated(*probe, found);
+  }
+}
+
+// Some 170 000 pairs touch, and no neighbour list holds them. The block is pressed and turned so
+// far that it rides up on the waves. Reference: the way back to the seat, an upper bound.
+TEST(Conforming, a_probe_with_more_pairs_than_lists_hold_arrives_while_the_device_rests) {
+  const auto probe = test::body(test::wavy_block(test::WavyBlock::above, 80));
+  const auto fixed = test::body(test::wavy_block(test::WavyBlock::below, 80));
+  CoherentSolver solver({probe, fixed});
+  const auto device = [](int k) {
+    return Pose{rotation_by(Vec3(0, 0, k / 3e3)), {0, 0, 0.05 - k / 1e3}};
+  };
+  solver.reset(device(40));
+  int k = 50, late = 0;
+  for (; k < 80; ++k) late += !solver.tick(device(k)).converged;
+  EXPECT_GT(late, 0) << "or the limit is not tested";
+  int ticks = 0;
+  while (!solver.last().converged && ++ticks < 60) {
+    EXPECT_GT(solver.last().limited, 0);
+    solver.tick(device(k));
+  }
+  EXPECT_TRUE(solver.last().converged);
+  const double seated =
+      Chart(probe->mass, device(k)).coordinates(Pose{Quat::Identity(), Vec3::Zero()}).norm();
+  EXPECT_LT(solver.last().depth, seated + allowed_clearance(probe->mass.radius, seated));
 }
 
 TEST(Conforming, search_finds_the_same_depth_in_faces_that_cannot_be_joined) {

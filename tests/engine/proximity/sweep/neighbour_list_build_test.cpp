@@ -9,6 +9,7 @@
 #include "engine/proximity/sweep/neighbour_list.hpp"
 #include "tests/engine/proximity/pair_gaps.hpp"
 #include "tests/support/brute_force.hpp"
+#include "tests/support/conforming.hpp"
 #include "tests/support/pairs.hpp"
 
 namespace sonde {
@@ -145,6 +146,21 @@ TEST(NeighbourList, for_a_course_it_misses_nothing_on_it_or_beside_it) {
   EXPECT_GT(shrunk, 50);
   EXPECT_GT(pairs_seen, 1000u);
   EXPECT_LT(3 * held, 2 * held_of_all_ways);
+}
+
+// Reference: the number of pairs that touch, by the trees.
+TEST(NeighbourList, holds_all_pairs_of_two_faces_that_fit_into_each_other) {
+  const auto a = test::body(test::wavy_block(test::WavyBlock::above, 40));
+  const auto b = test::body(test::wavy_block(test::WavyBlock::below, 40));
+  const Transform X(Pose{Quat::Identity(), {0, 0, 1e-6}});
+  Effort unlimited;
+  NeighbourList list(*a, *b);
+  ASSERT_TRUE(list.build(X, 1e-5, unlimited));
+  std::vector<NearPair> from_trees(1 << 17);
+  const NearPairs touching = near_pairs(*a, *b, X, 5e-6, from_trees, unlimited);
+  ASSERT_EQ(touching.reach, 5e-6);
+  EXPECT_GT(touching.count, 32'768u);
+  EXPECT_GE(list.size(), touching.count);
 }
 
 // Reference: the list made in one go.
