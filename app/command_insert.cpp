@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -74,6 +75,24 @@ Vec3 lateral_of(const InsertOptions& options, const Vec3& axis) {
   return *square;
 }
 
+/// What is many times as far as both bodies are large was hardly meant in metres.
+void doubt_length(const char* flag, double metres, double large) {
+  constexpr double many = 10;
+  if (!(metres > many * large)) return;
+  std::cerr << "sonde: " << flag << ' ' << number_text(metres, 6) << " is "
+            << number_text(metres / large, 2)
+            << " times as far as both bodies are large: lengths are in metres; " << flag << ' '
+            << number_text(metres / 1000, 6) << " would be millimetres\n";
+}
+
+void doubt_lengths(const InsertOptions& options, const Pair& pair, const Pose& start) {
+  const MassProperties &probe = pair.probe().mass, &fixed = pair.fixed().mass;
+  const double apart = (start * probe.com - fixed.com).norm();
+  const double large = apart + probe.radius + fixed.radius;
+  doubt_length("--travel", options.travel.value_or(0), large);
+  doubt_length("--offset-range", options.largest_offset, large);
+}
+
 std::vector<Pose> poses_of(const std::vector<TimedPose>& path) {
   std::vector<Pose> out;
   out.reserve(path.size());
@@ -104,15 +123,19 @@ void run(const InsertOptions& options) {
     // What cannot be computed is refused before anything is written.
     check_way(pair, request.way, line.percent("looking at the way"));
   }
-  request.wanted = options.wanted.value_or(request.way.travel.back());
-  if (request.wanted > request.way.travel.back() * (1 + 1e-9))
-    throw UsageError("--wanted is more than the way's travel: no place of it would count as in");
+  doubt_lengths(options, pair, start);
+  const double travel = request.way.travel.back();
+  request.wanted = options.wanted.value_or(travel);
+  if (request.wanted > travel * (1 + 1e-9))
+    throw UsageError("--wanted " + number_text(request.wanted, 6) +
+                     " m is more than the way's travel of " + number_text(travel, 6) +
+                     " m: no place of it would count as in");
   nlohmann::ordered_json about{
       {"inputs", study_inputs(scene, pair)},
       {"start",
        {start.p.x(), start.p.y(), start.p.z(), start.q.w(), start.q.x(), start.q.y(), start.q.z()}},
       {"axis", options.axis},
-      {"travel", request.way.travel.back()},
+      {"travel", travel},
       {"twist", per_degree * options.twist},
       {"steps", options.steps},
       {"wanted", request.wanted},

@@ -109,14 +109,31 @@ std::string first_bytes(std::string_view bytes) {
   return '"' + typeable(bytes.substr(0, enough)) + (bytes.size() > enough ? "…\"" : "\"");
 }
 
+/// Those that no text has.
+bool has_controls(std::string_view bytes) {
+  return std::ranges::any_of(bytes,
+                             [](char c) { return (c >= 0 && c < '\t') || (c > '\r' && c < ' '); });
+}
+
+/// Text that a header of 80 bytes does not hold: the beginning of a web page or of a table, or
+/// lines up to where a binary file has its count (then arithmetic on those letters says nothing).
+bool is_other_text(std::string_view bytes) {
+  const std::string_view start = bytes.substr(0, stl_header);
+  if (has_controls(start)) return false;
+  const std::size_t first = start.find_first_not_of("\xef\xbb\xbf \t\r\n");
+  return first != start.npos &&
+         (start[first] == '<' || start[first] == '{' || start.find('\n') != start.npos);
+}
+
 /// Not even by intention: it begins as files of another kind do, or the count would be a file of
-/// 13 GB at least, which four letters of a text make (then arithmetic on it says nothing).
+/// 13 GB at least, which four letters of a text make.
 bool is_of_another_kind(std::string_view bytes) {
   constexpr std::uint32_t too_many = 1U << 28, not_filled_in = 0xffffffff;
   const std::string_view kinds[] = {"PK\x03\x04", "\x89PNG",  "%PDF", "glTF",    "ISO-10303",
                                     "\x1f\x8b",   "\xff\xd8", "GIF8", "\177ELF", "<?xml",
                                     "ply\n",      "ply\r",    "OFF"};
-  return std::ranges::any_of(kinds,
+  return is_other_text(bytes) ||
+         std::ranges::any_of(kinds,
                              [&](std::string_view kind) { return bytes.starts_with(kind); }) ||
          (bytes.size() >= stl_header && little_endian(bytes, 80) >= too_many &&
           little_endian(bytes, 80) != not_filled_in);
@@ -138,10 +155,9 @@ bool is_of_another_kind(std::string_view bytes) {
 /// "solid" alone does not tell: binary files begin with it as well. But text has no control
 /// characters, and the numbers of a binary file hardly do without.
 bool looks_like_text_stl(std::string_view bytes) {
-  const auto is_control = [](char c) { return (c >= 0 && c < '\t') || (c > '\r' && c < ' '); };
   // A file of few triangles may end in a NUL or Ctrl-Z.
   const std::string_view start = bytes.substr(0, bytes.size() - end_marks(bytes)).substr(0, 1024);
-  if (std::ranges::any_of(start, is_control)) return false;
+  if (has_controls(start)) return false;
   const std::size_t first = start.find_first_not_of("\xef\xbb\xbf \t\r\n");
   if (first == start.npos) return false;
   std::string word(start.substr(first, 5));

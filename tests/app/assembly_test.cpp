@@ -198,7 +198,23 @@ TEST_F(Assembly, insert_says_where_it_binds) {
   EXPECT_EQ(text_of(folder / "r" / "insert.csv"), table);
 }
 
-// Reference: the same, with a second part aside.
+/// A travel in millimetres is read as metres, which is said; the answer is that of those metres.
+TEST_F(Assembly, insert_doubts_lengths_that_were_hardly_meant_in_metres) {
+  stand_over("s.sonde.json", 0.03);
+  const std::string way = "insert s.sonde.json --axis 0,0,-1 --steps 5 --out ";
+  const Outcome far = expect_done(way + "far --travel 45");
+  EXPECT_THAT(far.err, HasSubstr("--travel 45 is "));
+  EXPECT_THAT(far.err, HasSubstr("lengths are in metres; --travel 0.045 would be millimetres"));
+  EXPECT_THAT(far.out, HasSubstr("It binds after 30 mm of 45000 mm"));
+  const Outcome wide = expect_done(way + "wide --travel 0.02 --offsets 3 --offset-range 20");
+  EXPECT_THAT(wide.err, HasSubstr("--offset-range 0.02 would be millimetres"));
+  const Outcome usual = expect_done(way + "usual --travel 0.5 --offsets 3 --offset-range 0.2");
+  EXPECT_THAT(usual.err, testing::Not(HasSubstr("metres")));
+  expect_refused(way + "x --travel 0.045 --wanted 40", 2,
+                 "--wanted 40 m is more than the way's travel of 0.045 m");
+}
+
+// Reference: a box that comes down by its gap, with a second part aside.
 TEST_F(Assembly, insert_names_the_part_that_binds) {
   folder.write("p.sonde.json", R"({"probe": {"mesh": "small.off", "pose": [0, 0, 0.18, 1, 0, 0, 0]},
       "fixed": [{"name": "bed", "mesh": "large.off"},

@@ -303,7 +303,16 @@ TEST(MeshFaults, a_file_of_another_kind_is_no_stl) {
           ": is not an STL file (it begins with \"ISO-1030…\")"},
          {"A letter to a friend, who wrote me a letter on how the weather is where letters come "
           "from, and so on for a while.",
-          ": is not an STL file (it begins with \"A letter…\")"}});
+          ": is not an STL file (it begins with \"A letter…\")"},
+         {"<!DOCTYPE html>\n<html><body>Not found</body></html>\n",
+          ": is not an STL file (it begins with \"<!DOCTYP…\")"},
+         {"<html></html>", ": is not an STL file (it begins with \"<html></…\")"},
+         {"{\"a\": 1}", ": is not an STL file (it begins with \"{\"a\": 1}\")"},
+         {"x,y,z\n1,2,3\n", ": is not an STL file (it begins with \"x,y,z\\x0a1,…\")"},
+         // A line ends where a count would be: 0x0a202020 triangles are 8 GB.
+         {std::string(80, 'a') + "   \nand more",
+          ": is not an STL file (it begins with "
+          "\"aaaaaaaa…\")"}});
 }
 
 // Reference: a thousand million vertices would take 24 GB, and minutes.
