@@ -78,7 +78,7 @@ QFormLayout* form_in(QVBoxLayout& layout, QWidget* group) {
   auto* form = new QFormLayout(group);
   form->setContentsMargins(0, 4, 0, 0);
   form->setVerticalSpacing(3);
-  form->setHorizontalSpacing(10);
+  form->setHorizontalSpacing(4);
   layout.addWidget(group);
   return form;
 }
@@ -107,10 +107,10 @@ QLabel* ReadoutPanel::value(QFormLayout& form, const QString& name, const char* 
   const bool two = name.contains(QStringLiteral("turns")) || name == QStringLiteral("screw");
   const QStringList widest = two ? QStringList{QStringLiteral("88.8°, 88.888 mm (88 %)"),
                                                QStringLiteral("0.000888°, 0.000888 mm")}
-                                 : QStringList{QStringLiteral("88.888 mm (88 %)")};
+                                 : QStringList{QStringLiteral("88.888 mm (888 %)")};
   for (const QString& text : widest)
     number->setMinimumWidth(
-        std::max(number->minimumWidth(), number->fontMetrics().horizontalAdvance(text)));
+        std::max(number->minimumWidth(), number->fontMetrics().horizontalAdvance(text) + 1));
   label->setToolTip(doc);
   number->setToolTip(doc);
   form.addRow(label, number);

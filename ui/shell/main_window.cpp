@@ -249,7 +249,7 @@ void MainWindow::place(const Pose& X_FM) {
 }
 
 void MainWindow::on_frame() {
-  for (SideBar* bar : {left_, right_}) bar->hold_widths(!isVisible());
+  for (SideBar* bar : {left_, right_}) bar->hold_widths(!isVisible()), bar->note_widths();
   const ViewAxes view = viewport_->camera().axes();
   Mat3 R_FV;
   R_FV << view.right, view.up, view.towards;

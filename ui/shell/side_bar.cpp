@@ -56,6 +56,15 @@ bool is_beside(Qt::DockWidgetArea area) {
   return area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea;
 }
 
+/// The docks that are open at either side of the view.
+std::vector<QDockWidget*> open_beside(const QMainWindow& window) {
+  std::vector<QDockWidget*> open;
+  for (QDockWidget* dock : window.findChildren<QDockWidget*>())
+    if (dock->isVisible() && !dock->isFloating() && is_beside(window.dockWidgetArea(dock)))
+      open.push_back(dock);
+  return open;
+}
+
 }  // namespace
 
 SideBar::SideBar(Qt::ToolBarArea side, const QString& title, const char* object, QWidget* window)
@@ -94,6 +103,13 @@ void SideBar::add_space() {
   addWidget(space);
 }
 
+void SideBar::note_widths() {
+  const auto* window = qobject_cast<const QMainWindow*>(parentWidget());
+  noted_.clear();
+  if (!window) return;
+  for (const QDockWidget* dock : open_beside(*window)) noted_[dock] = dock->width();
+}
+
 /// In place of the one that was open, and as wide.
 void SideBar::on_opened(QDockWidget& opened) {
   auto* window = qobject_cast<QMainWindow*>(parentWidget());
@@ -107,11 +123,11 @@ void SideBar::on_opened(QDockWidget& opened) {
   // What is open at the other side keeps its width.
   QList<QDockWidget*> docks{&opened};
   QList<int> widths{std::max({width_, width_of(opened), usual_width})};
-  for (QDockWidget* other : window->findChildren<QDockWidget*>()) {
-    const bool open = other != &opened && other->isVisible() && !other->isFloating();
-    if (!open || !is_beside(window->dockWidgetArea(other))) continue;
+  for (QDockWidget* other : open_beside(*window)) {
+    if (other == &opened) continue;
+    const auto noted = noted_.find(other);
     docks << other;
-    widths << other->width();
+    widths << (noted == noted_.end() ? other->width() : noted->second);
   }
   window->resizeDocks(docks, widths, Qt::Horizontal);
 }

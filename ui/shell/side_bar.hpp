@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QToolBar>
+#include <map>
 #include <vector>
 
 class QDockWidget;
@@ -22,6 +23,9 @@ class SideBar : public QToolBar {
   const std::vector<QDockWidget*>& docks() const { return docks_; }
   /// Docks that come open keep the width that they have, as at first, while a state is restored.
   void hold_widths(bool on) { held_ = on; }
+  /// Each frame of a window on show: how wide the docks are that are open, before another opens and
+  /// the window takes room from all of them alike.
+  void note_widths();
 
   static constexpr int first_width = 272;  ///< pixels, of a dock
 
@@ -32,6 +36,7 @@ class SideBar : public QToolBar {
   bool held_ = true;
   int width_ = first_width;  ///< of what was open last
   std::vector<QDockWidget*> docks_;
+  std::map<const QDockWidget*, int> noted_;  ///< those beside the view, of both sides
 };
 
 }  // namespace sonde::ui
