@@ -34,6 +34,7 @@ RepairsControl::RepairsControl(Viewport& viewport, DocumentControl& documents, Q
       viewport_(viewport),
       documents_(documents),
       bar_(new RepairsBar(&window)),
+      notice_(new RepairsNotice(&window)),
       flight_(viewport, this) {
   connect(bar_, &RepairsBar::show_wanted, this, qOverload<std::size_t>(&RepairsControl::show_next));
   connect(bar_, &RepairsBar::repair_wanted, this, &RepairsControl::repair);
@@ -57,7 +58,7 @@ void RepairsControl::attach(Session* session, bool same_document) {
   flight_.stop();
   next_ = {};
   last_ = RepairsBar::probe;
-  if (!same_document && away_) set_away(false);
+  if (!same_document) set_away(true);
   show_rows();
 }
 
@@ -101,6 +102,8 @@ void RepairsControl::show_rows() {
                                   fixed = row_of(RepairsBar::fixed);
   bar_->show_row(RepairsBar::probe, probe);
   bar_->show_row(RepairsBar::fixed, fixed);
+  notice_->show_row(RepairsBar::probe, probe);
+  notice_->show_row(RepairsBar::fixed, fixed);
   bar_->setVisible(!away_ && (probe || fixed));
   // The view has its size before anything is fitted into it.
   if (QWidget* around = bar_->parentWidget(); around && around->layout())

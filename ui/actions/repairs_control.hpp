@@ -8,6 +8,7 @@
 
 #include "ui/actions/flight.hpp"
 #include "ui/panels/repairs_bar.hpp"
+#include "ui/panels/repairs_notice.hpp"
 
 namespace sonde::ui {
 
@@ -15,21 +16,23 @@ class DocumentControl;
 class Session;
 class Viewport;
 
-/// What was mended of the bodies on show: the bar that says so, the way to each place, and taking
-/// it back.
+/// What was mended of the bodies on show: the notice that says so, the bar that it unfolds, the way
+/// to each place, and taking it back.
 class RepairsControl : public QObject {
   Q_OBJECT
  public:
   RepairsControl(Viewport& viewport, DocumentControl& documents, QWidget& window);
 
   RepairsBar& bar() { return *bar_; }
-  /// Null: nothing is open. The bar is there, and has its size, when this returns.
+  RepairsNotice& notice() { return *notice_; }
+  /// Null: nothing is open. The bar of another document is folded away, so that the view has its
+  /// room.
   void attach(Session* session, bool same_document = false);
   /// The next place of that body, and after its last the first.
   void show_next(std::size_t body);
   /// The next place of either body.
   void show_next();
-  /// Until another document is open.
+  /// Folds the bar away, or unfolds it, until another document is open.
   void set_away(bool away);
   bool away() const { return away_; }
   bool flying() const { return flight_.flying(); }
@@ -49,8 +52,9 @@ class RepairsControl : public QObject {
   Viewport& viewport_;
   DocumentControl& documents_;
   RepairsBar* bar_;
+  RepairsNotice* notice_;
   Session* session_ = nullptr;
-  bool away_ = false;
+  bool away_ = true;
   std::array<std::size_t, 2> next_{};  ///< place of each body
   std::size_t last_ = 0;               ///< the body that was shown last
   Flight flight_;

@@ -13,7 +13,16 @@ void ElidedLabel::show_text(const QString& text) {
 }
 
 QString ElidedLabel::shown() const {
-  return fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width());
+  const auto fitted = [this](const QString& line) {
+    return fontMetrics().elidedText(line, Qt::ElideRight, contentsRect().width());
+  };
+  QString some = text();
+  QStringList items = separator_.isEmpty() ? QStringList() : some.split(separator_);
+  while (items.size() > 1 && fitted(some) != some) {
+    items.removeLast();
+    some = items.join(separator_) + separator_ + QStringLiteral("…");
+  }
+  return fitted(some);
 }
 
 QSize ElidedLabel::minimumSizeHint() const { return {1, QLabel::minimumSizeHint().height()}; }

@@ -11,12 +11,17 @@ class ElidedLabel : public QLabel {
  public:
   explicit ElidedLabel(QWidget* parent = nullptr);
   void show_text(const QString& text);
+  /// Ends after a whole item of a list, as long as one fits: a number that is cut reads as another.
+  void end_after_items(const QString& separator) { separator_ = separator; }
   /// The part that fits.
   QString shown() const;
   QSize minimumSizeHint() const override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QString separator_;
 };
 
 }  // namespace sonde::ui

@@ -2,58 +2,17 @@
 #include "ui/panels/repairs_bar.hpp"
 
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLabel>
-#include <QPainter>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "ui/base/elided_label.hpp"
+#include "ui/base/key_button.hpp"
 #include "ui/base/theme.hpp"
+#include "ui/panels/body_mark.hpp"
 
 namespace sonde::ui {
 namespace {
-
-/// With the keyboard on it, Space and Enter press it, whatever else they do in the window.
-class KeyButton : public QToolButton {
- public:
-  using QToolButton::QToolButton;
-
- protected:
-  bool event(QEvent* event) override {
-    if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress)
-      return QToolButton::event(event);
-    const auto& key = static_cast<const QKeyEvent&>(*event);
-    const bool enter = key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
-    const bool plain = key.modifiers() == Qt::NoModifier || key.modifiers() == Qt::KeypadModifier;
-    if (!plain || (!enter && key.key() != Qt::Key_Space)) return QToolButton::event(event);
-    event->accept();
-    if (event->type() == QEvent::ShortcutOverride) return true;
-    if (!enter) return QToolButton::event(event);
-    click();
-    return true;
-  }
-};
-
-/// The body's colour, as in the legend.
-class Mark : public QWidget {
- public:
-  Mark(const QColor& colour, QWidget* parent) : QWidget(parent), colour_(colour) {
-    setFixedSize(9, 9);
-  }
-
- protected:
-  void paintEvent(QPaintEvent* /*event*/) override {
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(colour_);
-    painter.drawRoundedRect(rect(), 2, 2);
-  }
-
- private:
-  QColor colour_;
-};
 
 QToolButton* button(const QString& object, const QString& text, QWidget* parent) {
   auto* made = new KeyButton(parent);
@@ -84,8 +43,8 @@ RepairsBar::RepairsBar(QWidget* parent) : QFrame(parent) {
   for (const Widgets& row : rows_) lines->addWidget(row.row);
   all->addLayout(lines, 1);
   QToolButton* away = button(QStringLiteral("mended_away"), QStringLiteral("×"), this);
-  describe(*away, QStringLiteral("Hide what was mended"),
-           QStringLiteral("Hide this bar; View → What was mended brings it back"));
+  describe(*away, QStringLiteral("Fold what was mended away"),
+           QStringLiteral("Fold this bar away; What was mended, above it, brings it back"));
   away->setAutoRaise(true);
   connect(away, &QToolButton::clicked, this, &RepairsBar::put_away);
   all->addWidget(away, 0, Qt::AlignTop);
@@ -100,7 +59,7 @@ RepairsBar::Widgets RepairsBar::make_row(std::size_t body) {
   auto* layout = new QHBoxLayout(made.row);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
-  auto* mark = new Mark(body == probe ? colour::probe : colour::fixed, made.row);
+  auto* mark = new BodyMark(body == probe ? colour::probe : colour::fixed, made.row);
   made.text = new ElidedLabel(made.row);
   made.text->setObjectName(object);
   made.places = new QLabel(made.row);

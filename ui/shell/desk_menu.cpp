@@ -26,7 +26,7 @@ QWidget* first_control(const QWidget& within) {
 }
 
 /// From the view through the docks, those that are folded away too, then to the bar of what was
-/// mended, and back.
+/// mended, or to the notice while that is folded away, and back.
 void focus_next(MainWindow& window, const QList<QDockWidget*>& all) {
   const std::vector<QDockWidget*> tabs = window.docks_of_sides();
   std::vector<QDockWidget*> docks;
@@ -35,8 +35,9 @@ void focus_next(MainWindow& window, const QList<QDockWidget*>& all) {
     if (!dock->isHidden() || (!below && std::ranges::count(tabs, dock) > 0)) docks.push_back(dock);
   }
   std::size_t next = 0;
-  RepairsBar& bar = window.repairs().bar();
-  const bool in_bar = bar.isAncestorOf(QApplication::focusWidget());
+  QWidget* bar = &window.repairs().bar();
+  if (bar->isHidden()) bar = &window.repairs().notice();  // its button unfolds it
+  const bool in_bar = bar->isAncestorOf(QApplication::focusWidget());
   if (in_bar) next = docks.size();
   for (std::size_t i = 0; i < docks.size(); ++i)
     if (docks[i]->isAncestorOf(QApplication::focusWidget())) next = i + 1;
@@ -49,8 +50,8 @@ void focus_next(MainWindow& window, const QList<QDockWidget*>& all) {
     QWidget* control = within ? first_control(*within) : nullptr;
     if (control) return control->setFocus(Qt::TabFocusReason);
   }
-  if (!in_bar && bar.isVisible())
-    if (QWidget* control = first_control(bar)) control->setFocus(Qt::TabFocusReason);
+  if (!in_bar && bar->isVisible())
+    if (QWidget* control = first_control(*bar)) control->setFocus(Qt::TabFocusReason);
 }
 
 }  // namespace

@@ -256,7 +256,7 @@ void add_history_menu(MainWindow& window) {
       [history](bool) { history->run_again(Method::pdt, {}); });
 }
 
-void add_mended(MainWindow& window, QMenu& menu) {
+void add_mended(MainWindow& window, QMenu& menu, QToolBar& tools) {
   RepairsControl* repairs = &window.repairs();
   const QAction* next =
       add(window, menu, "next_mended", QStringLiteral("&Next mended place"),
@@ -266,6 +266,9 @@ void add_mended(MainWindow& window, QMenu& menu) {
                             !repairs->away(), [repairs](bool on) { repairs->set_away(!on); });
   QObject::connect(repairs, &RepairsControl::away_changed, bar,
                    [bar](bool away) { bar->setChecked(!away); });
+  bar->setToolTip(QStringLiteral("What was mended: a line for each body, with what can be done"));
+  repairs->notice().set_action(bar);
+  tools.addWidget(&repairs->notice())->setObjectName(QStringLiteral("mended_notice"));
 }
 
 /// What is drawn over the bodies, each by a figure or a letter.
@@ -311,7 +314,7 @@ void add_view_menu(MainWindow& window, QToolBar& bar) {
   add_toggle(window, menu, "swing", QStringLiteral("S&wing the separated probe"), key("W"), false,
              [w](bool on) { w->set_swing(on); });
   menu.addSeparator();
-  add_mended(window, menu);
+  add_mended(window, menu, bar);
   menu.addSeparator();
   add_desk_menu(window, menu);
 }

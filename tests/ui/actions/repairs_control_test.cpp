@@ -68,6 +68,12 @@ class RepairsTest : public WindowTest {
     open({QString::fromStdString(file.string())});
     ASSERT_EQ(failed, 0) << (complaints.empty() ? "" : complaints[0].toStdString());
   }
+  /// The same with the bar unfolded, where there is something to say.
+  void unfold_pair(const char* probe, const char* fixed) {
+    open_pair(probe, fixed);
+    if (button("mended_unfold")->isVisible()) button("mended_unfold")->click();
+    settle();
+  }
   RepairsBar& bar() { return window->repairs().bar(); }
   QString line(const char* name) { return find<ElidedLabel>(name)->text(); }
   QToolButton* button(const char* name) { return find<QToolButton>(name); }
@@ -106,9 +112,9 @@ class RepairsTest : public WindowTest {
 };
 
 TEST_F(RepairsTest, the_bar_comes_for_a_mended_body_alone) {
-  open_pair("ball.off", "ball.off");
+  unfold_pair("ball.off", "ball.off");
   EXPECT_FALSE(bar().isVisible());
-  open_pair("ball.off", "turned.off");
+  unfold_pair("ball.off", "turned.off");
   ASSERT_TRUE(bar().isVisible());
   EXPECT_EQ(line("mended_fixed"), "turned: 1 triangle turned");
   EXPECT_FALSE(find<ElidedLabel>("mended_probe")->isVisible());
@@ -116,12 +122,12 @@ TEST_F(RepairsTest, the_bar_comes_for_a_mended_body_alone) {
   EXPECT_TRUE(tip.contains("agree with neighbours")) << tip.toStdString();
   EXPECT_TRUE(tip.startsWith("Fixed body turned"));
   EXPECT_FALSE(button("mended_fixed_close")->isVisible());
-  open_pair("ball.off", "ball.off");
+  unfold_pair("ball.off", "ball.off");
   EXPECT_FALSE(bar().isVisible());
 }
 
 TEST_F(RepairsTest, the_bar_lies_above_the_view_and_not_in_it) {
-  open_pair("holes.off", "turned.off");
+  unfold_pair("holes.off", "turned.off");
   for (const QSize size : {QSize(1280, 800), QSize(960, 600)}) {
     window->resize(size);
     settle();
@@ -140,7 +146,7 @@ TEST_F(RepairsTest, the_bar_lies_above_the_view_and_not_in_it) {
 
 // Reference: where the triangles are missing in the file.
 TEST_F(RepairsTest, show_flies_to_each_place_in_turn) {
-  open_pair("ball.off", "holes.off");
+  unfold_pair("ball.off", "holes.off");
   ASSERT_EQ(window->session()->fixed().places.all, 2u);
   EXPECT_EQ(line("mended_fixed"), "holes: 2 openings closed");
   std::vector<Vec3> seen;
@@ -185,7 +191,7 @@ TEST_F(RepairsTest, of_very_many_places_the_first_are_shown_and_all_are_counted)
     std::swap(many.polygons.back()[0], many.polygons.back()[1]);
   }
   folder.write("many.off", as_off(many));
-  open_pair("ball.off", "many.off");
+  unfold_pair("ball.off", "many.off");
   EXPECT_EQ(line("mended_fixed"), "many: 1089 triangles turned");
   button("mended_fixed_show")->click();
   EXPECT_EQ(find<QLabel>("mended_fixed_places")->text(), "1 of 1000");
@@ -198,7 +204,7 @@ TEST_F(RepairsTest, of_very_many_places_the_first_are_shown_and_all_are_counted)
 }
 
 TEST_F(RepairsTest, a_key_goes_through_both_bodies) {
-  open_pair("turned.off", "holes.off");
+  unfold_pair("turned.off", "holes.off");
   activate();
   for (const char* expected : {"1 of 1", "1 of 2", "2 of 2", "1 of 1"}) {
     key(Qt::Key_N);
@@ -216,7 +222,7 @@ TEST_F(RepairsTest, a_key_goes_through_both_bodies) {
 }
 
 TEST_F(RepairsTest, as_in_the_file_is_a_step_that_can_be_undone) {
-  open_pair("ball.off", "holes.off");
+  unfold_pair("ball.off", "holes.off");
   ASSERT_TRUE(window->session()->fixed().solid);
   press_and_wait("mended_fixed_repair");
   EXPECT_EQ(scene_now().fixed.repair, Repair::none);
@@ -241,7 +247,7 @@ TEST_F(RepairsTest, as_in_the_file_is_a_step_that_can_be_undone) {
 }
 
 TEST_F(RepairsTest, what_could_be_a_solid_is_closed_when_asked) {
-  open_pair("vessel.off", "ball.off");
+  unfold_pair("vessel.off", "ball.off");
   ASSERT_FALSE(window->session()->probe().solid);
   ASSERT_TRUE(window->session()->probe().repairs.could_be_solid);
   ASSERT_TRUE(bar().isVisible());
@@ -271,29 +277,35 @@ TEST_F(RepairsTest, what_could_be_a_solid_is_closed_when_asked) {
   EXPECT_TRUE(complaints.empty());
 }
 
-TEST_F(RepairsTest, put_away_it_stays_away_for_this_document) {
+TEST_F(RepairsTest, folded_away_it_stays_away_until_it_is_unfolded) {
   open_pair("ball.off", "holes.off");
-  const int with = window->viewport().height();
+  EXPECT_FALSE(bar().isVisible()) << "the view is the largest thing";
+  EXPECT_EQ(line("mended_fixed_notice"), "2 openings closed");
+  const int without = window->viewport().height();
+  button("mended_unfold")->click();
+  EXPECT_TRUE(bar().isVisible());
+  EXPECT_TRUE(find<QAction>("mended_bar")->isChecked());
+  settle();
+  EXPECT_LT(window->viewport().height(), without);
+  act("swap_bodies");
+  ASSERT_TRUE(wait_until([this] { return opened == 2; }));
+  EXPECT_TRUE(bar().isVisible()) << "it is the same document";
+  EXPECT_EQ(line("mended_probe_notice"), "2 openings closed");
+  EXPECT_FALSE(find<QWidget>("mended_fixed_notice")->isVisible());
   button("mended_away")->click();
   EXPECT_FALSE(bar().isVisible());
   EXPECT_FALSE(find<QAction>("mended_bar")->isChecked());
-  settle();
-  EXPECT_GT(window->viewport().height(), with);
-  act("swap_bodies");
-  ASSERT_TRUE(wait_until([this] { return opened == 2; }));
-  EXPECT_FALSE(bar().isVisible()) << "it is the same document";
   act("mended_bar");
   EXPECT_TRUE(bar().isVisible());
-  button("mended_away")->click();
   open_pair("ball.off", "turned.off");
-  EXPECT_TRUE(bar().isVisible());
-  EXPECT_TRUE(find<QAction>("mended_bar")->isChecked());
+  EXPECT_FALSE(bar().isVisible()) << "another document";
+  EXPECT_EQ(line("mended_fixed_notice"), "1 triangle turned");
   act("new");
-  EXPECT_FALSE(bar().isVisible());
+  EXPECT_FALSE(button("mended_unfold")->isVisible());
 }
 
 TEST_F(RepairsTest, the_keyboard_reaches_each_button_and_each_has_a_name) {
-  open_pair("vessel.off", "holes.off");
+  unfold_pair("vessel.off", "holes.off");
   activate();
   button("mended_probe_close")->setFocus();
   for (const char* name : {"mended_fixed_show", "mended_fixed_repair", "mended_away"}) {
@@ -310,16 +322,20 @@ TEST_F(RepairsTest, the_keyboard_reaches_each_button_and_each_has_a_name) {
   QTest::keyClick(button("mended_fixed_show"), Qt::Key_Return);
   EXPECT_EQ(find<QLabel>("mended_fixed_places")->text(), "2 of 2");
   EXPECT_FALSE(window->session()->paused()) << "Space pauses elsewhere";
-  // From the view through the docks F6 comes to the bar, and back to the view.
-  window->viewport().canvas()->setFocus();
-  bool reached = false;
-  for (int press = 0; press < 20 && !reached; ++press) {
+  // From the view through the docks F6 comes to the bar, or to what unfolds it, and back.
+  for (const bool folded : {false, true}) {
+    window->repairs().set_away(folded);
+    window->viewport().canvas()->setFocus();
+    const QWidget& aim = folded ? static_cast<QWidget&>(window->repairs().notice()) : bar();
+    bool reached = false;
+    for (int press = 0; press < 20 && !reached; ++press) {
+      QTest::keyClick(window.get(), Qt::Key_F6);
+      reached = aim.isAncestorOf(QApplication::focusWidget());
+    }
+    EXPECT_TRUE(reached);
     QTest::keyClick(window.get(), Qt::Key_F6);
-    reached = bar().isAncestorOf(QApplication::focusWidget());
+    EXPECT_TRUE(window->viewport().canvas()->hasFocus());
   }
-  EXPECT_TRUE(reached);
-  QTest::keyClick(window.get(), Qt::Key_F6);
-  EXPECT_TRUE(window->viewport().canvas()->hasFocus());
 }
 
 TEST_F(RepairsTest, as_in_the_scene_it_is_said_from_the_start) {
@@ -327,14 +343,14 @@ TEST_F(RepairsTest, as_in_the_scene_it_is_said_from_the_start) {
       "probe": {"mesh": "ball.off", "repair": "none", "pose": [0.13, 0, 0, 1, 0, 0, 0]},
       "fixed": {"mesh": "holes.off", "repair": "none"}})");
   open({QString::fromStdString(file.string())});
-  ASSERT_TRUE(bar().isVisible());
+  EXPECT_EQ(line("mended_fixed_notice"), "taken as in the file");
   EXPECT_EQ(line("mended_fixed"), "holes: taken as in the file");
   EXPECT_FALSE(find<ElidedLabel>("mended_probe")->isVisible()) << "nothing of it is to be mended";
   const auto surface = folder.write("surface.sonde.json", R"({"unit": "m",
       "probe": {"mesh": "ball.off", "pose": [0.13, 0, 0, 1, 0, 0, 0]},
       "fixed": {"mesh": "vessel.off", "model": "surface"}})");
   open({QString::fromStdString(surface.string())});
-  EXPECT_FALSE(bar().isVisible()) << "it was asked for";
+  EXPECT_FALSE(button("mended_unfold")->isVisible()) << "it was asked for";
 }
 
 }  // namespace

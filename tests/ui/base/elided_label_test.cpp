@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/base/elided_label.hpp"
 
+#include <algorithm>
+
 #include "tests/ui/window_fixture.hpp"
 
 namespace sonde::ui::test {
@@ -18,6 +20,25 @@ TEST_F(WindowTest, a_line_without_room_ends_in_dots_and_is_whole_in_the_tooltip)
   EXPECT_TRUE(line.startsWith(label.shown().chopped(1)));
   EXPECT_EQ(label.text(), line);
   EXPECT_EQ(label.toolTip(), line.toHtmlEscaped());
+}
+
+TEST_F(WindowTest, a_list_without_room_ends_after_a_whole_item) {
+  ElidedLabel label;
+  label.end_after_items(", ");
+  const QStringList items{"2 openings closed", "13 triangles turned", "12984 corners joined"};
+  label.show_text(items.join(", "));
+  auto fewest = items.size();
+  for (int wide = label.sizeHint().width(); wide > 0; --wide) {
+    label.resize(wide, 20);
+    const QString shown = label.shown();
+    if (!shown.startsWith(items[0] + ", ")) break;  // not even the first
+    for (const QString& item : shown.split(", "))
+      EXPECT_TRUE(items.contains(item) || item == "…") << shown.toStdString();
+    fewest = std::min(fewest, shown.split(", ").size());
+  }
+  EXPECT_EQ(fewest, 2) << "the first, and dots";
+  label.resize(label.sizeHint());
+  EXPECT_EQ(label.shown(), items.join(", "));
 }
 
 }  // namespace

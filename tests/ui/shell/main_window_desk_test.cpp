@@ -15,6 +15,7 @@
 #include <algorithm>
 
 #include "tests/ui/window_fixture.hpp"
+#include "ui/base/elided_label.hpp"
 #include "ui/shell/start_page.hpp"
 #include "ui/views/hint_view.hpp"
 
@@ -36,6 +37,26 @@ class DeskLayout : public WindowTest {
     window->show();
     open({QString::fromStdString(scene.string())});
     settle();
+  }
+  /// A cube of which each triangle has corners of its own, which do not quite meet.
+  static std::string torn_cube(double side) {
+    const int faces[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                              {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    std::string points, triangles;
+    int corners = 0;
+    for (const auto& face : faces) {
+      triangles += '3';
+      for (const int corner : face) {
+        for (int axis = 0; axis < 3; ++axis)
+          points += std::to_string(((corner >> axis & 1) ? side : 0.0) +
+                                   1e-6 * (corners * (axis + 1) % 7)) +
+                    ' ';
+        points += '\n';
+        triangles += ' ' + std::to_string(corners++);
+      }
+      triangles += '\n';
+    }
+    return "OFF\n36 12 0\n" + points + triangles;
   }
   double share_of_view() const {
     const QSize view = window->viewport().size(), all = window->size();
@@ -125,6 +146,39 @@ TEST_F(DeskLayout, at_the_first_start_the_view_is_the_largest_thing) {
   }
 }
 
+/// What was mended of both bodies is said beside the tools, and costs the view nothing until it is
+/// unfolded.
+TEST_F(DeskLayout, with_own_meshes_that_were_mended_the_view_is_as_large) {
+  folder.write("a rather long name of a cover (revision 12).off", torn_cube(70));
+  folder.write("plate.off", torn_cube(100));
+  for (const QSize size : {QSize(1152, 720), QSize(1280, 800), QSize(1440, 900)}) {
+    SCOPED_TRACE(size.width());
+    first_window(size);
+    window->prompts().ask_bodies = [](const MeshPair& pair, const PairSetup&) {
+      return std::optional(same_unit(pair, 1e-3));
+    };
+    open({path("a rather long name of a cover (revision 12).off"), path("plate.off")});
+    settle();
+    ASSERT_EQ(window->size(), size);
+    EXPECT_GE(share_of_view(), 0.6);
+    for (const char* words : {"mended_probe_notice", "mended_fixed_notice"}) {
+      const auto* label = find<ElidedLabel>(words);
+      EXPECT_TRUE(label->isVisible());
+      EXPECT_EQ(label->shown(), "20 corners joined") << "it is not cut off";
+    }
+    expect_disjoint();
+    const int tall = window->viewport().height();
+    find<QToolButton>("mended_unfold")->click();
+    settle();
+    EXPECT_LT(window->viewport().height(), tall);
+    EXPECT_EQ(find<ElidedLabel>("mended_fixed")->text(), "plate: 20 corners joined");
+    expect_disjoint();
+    find<QToolButton>("mended_unfold")->click();
+    settle();
+    EXPECT_EQ(window->viewport().height(), tall);
+  }
+}
+
 TEST_F(DeskLayout, a_tab_opens_its_dock_in_place_of_another_and_folds_it_away) {
   first_window({1280, 800});
   const double before = share_of_view();
@@ -151,6 +205,24 @@ TEST_F(DeskLayout, a_tab_opens_its_dock_in_place_of_another_and_folds_it_away) {
   act("fold_docks");
   EXPECT_TRUE(readout->isVisible());
   EXPECT_TRUE(find<QDockWidget>("parts_panel")->isVisible());
+}
+
+/// A dock that opens at one side takes its room from the view.
+TEST_F(DeskLayout, what_is_open_at_the_other_side_is_not_cut_off) {
+  for (const char* name : {"coupling_panel", "pose_panel", "device_panel", "parts_panel",
+                           "way_in_panel", "clash_panel", "accuracy_panel"}) {
+    SCOPED_TRACE(name);
+    first_window({1152, 720});  // each as the first that opens
+    const auto* readout = find<QDockWidget>("readout_panel");
+    const auto* dock = find<QDockWidget>(name);
+    const int wide = readout->width();
+    find<QToolButton>((std::string("tab_") + name).c_str())->click();
+    settle();
+    ASSERT_TRUE(dock->isVisible() && readout->isVisible());
+    EXPECT_EQ(readout->width(), wide) << "beside one of " << dock->width();
+    expect_whole(*dock);
+    expect_whole(*readout);
+  }
 }
 
 TEST_F(DeskLayout, the_start_page_stands_alone_and_the_docks_come_back) {
@@ -199,7 +271,8 @@ TEST_F(DeskLayout, nothing_overlaps_or_is_cut_off_at_any_size) {
         settle();
         ASSERT_EQ(window->size(), size) << "a dock wants more room than there is";
         expect_disjoint();
-        expect_whole(*dock);
+        for (const QDockWidget* each : window->docks_of_sides())
+          if (each->isVisible()) expect_whole(*each);
       }
     }
 }

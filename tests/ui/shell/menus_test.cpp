@@ -138,7 +138,7 @@ TEST_F(MenusTest, the_bar_has_what_is_used_most) {
   for (const QAction* action : find<QToolBar>("actions_bar")->actions())
     if (!action->isSeparator()) names << action->objectName();
   EXPECT_EQ(names, QStringList({"open_scene", "open_meshes", "screenshot", "reset", "pause",
-                                "force", "fit", "trail"}));
+                                "force", "fit", "trail", "mended_notice"}));
 }
 
 }  // namespace
