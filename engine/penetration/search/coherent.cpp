@@ -181,15 +181,19 @@ struct CoherentSolver::State {
   /// motion. It tries the position at which the rows of the last tick let the probe rest; then
   /// positions lifted off the contacts by multiples of the distance that the turn can move a point
   /// of the probe (the descent lowers it again). Returns false if all of these are blocked; y is
-  /// then turned as far as possible. Without a limit of the tick, it takes no more than a fall.
+  /// then turned as far as possible. Without a limit of the tick, this takes no more than after a
+  /// jump, and if the probe's turn is several ticks behind already, no more than a fall.
   bool follow_turn(const Chart& chart, Effort& effort, Vec6& y) noexcept {
     if (!(y.head<3>().norm() > 0)) return true;
+    const double turned = (device.q.conjugate() * chart.device().q).vec().norm();
+    const bool is_behind = chart.v(y).norm() > held_off * turned;
+    const std::int64_t most = is_behind ? limit_of_fall : work_after_jump;
     const auto turn = [&](Effort& part) {
       const bool followed = try_to_turn(chart, part, y);
       turn_given_up = part.is_spent();
       return followed;
     };
-    return effort.is_limited() ? turn(effort) : effort.at_most(limit_of_fall, turn);
+    return effort.is_limited() ? turn(effort) : effort.at_most(most, turn);
   }
   bool try_to_turn(const Chart& chart, Effort& effort, Vec6& y) noexcept {
     const double depth = y.tail<3>().norm();
