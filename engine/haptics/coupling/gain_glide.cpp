@@ -22,7 +22,7 @@ void GainGlide::restart(const Coupling& coupling) noexcept {
   from_ = to_ = coupling;
   blend_ = {.now = coupling, .before = coupling};
   next_.reset();
-  there_ = true;
+  arrived_ = true;
   turned_back_ = false;
 }
 
@@ -38,22 +38,22 @@ void GainGlide::set(const Coupling& wanted) noexcept {
   from_ = blend_.now;
   to_ = wanted;
   share_ = 0;
-  there_ = false;
+  arrived_ = false;
 }
 
 const GainGlide::Blend& GainGlide::next(double dt, double most) noexcept {
-  if (there_) return blend_;
+  if (arrived_) return blend_;
   const double step = dt > 0 ? dt : 0;
   const bool held = step > 0 && !(most > 0);
   if (held && next_ && !turned_back_) turn_back();
   share_ += std::min(time_ > 0 ? step / time_ : 1, most);
-  there_ = share_ >= 1 - 1e-12;  // within rounding of the last step
+  arrived_ = share_ >= 1 - 1e-12;  // within rounding of the last step
   blend_ = {.now = to_, .before = to_};
-  if (!there_) blend(share_);
+  if (!arrived_) blend(share_);
   if (!next_) return blend_;
   for (double Coupling::*limit : limits)
     blend_.now.*limit = std::min(blend_.now.*limit, (*next_).*limit);
-  if (there_) set(*std::exchange(next_, std::nullopt));
+  if (arrived_) set(*std::exchange(next_, std::nullopt));
   return blend_;
 }
 

@@ -13,9 +13,9 @@ namespace sonde {
 /// damped mode without damping. The gains of the classic mode have other meanings. So in a change
 /// to it or from it, the wrench is blended, in the same time, from that of the old mode to that of
 /// the new one. Other changes during that time wait for its end, except falling limits. A caller
-/// may slow the glide down, so that the force does not change faster than a hand can resist, and
-/// hold it. A change of mode that is held goes back, once, where another change waits for it; where
-/// the way back is held too, both wait.
+/// may slow the glide down, so that the force does not change faster than a hand can resist, or
+/// hold it. If a change of mode is held while another change waits for its end, the glide reverses,
+/// once. If the reversed glide is held too, both changes wait.
 class GainGlide {
  public:
   struct Blend {
@@ -32,13 +32,14 @@ class GainGlide {
   void restart(const Coupling& coupling) noexcept;
   /// Starts a glide from the present gains; the newest call wins.
   void set(const Coupling& wanted) noexcept;
-  /// The gains dt (s) later. The step makes at most `most` of the whole glide, a share; 0 holds it.
+  /// Advances by dt (s) and returns the gains. The step covers at most the share `most` of the
+  /// whole glide; 0 holds it.
   const Blend& next(double dt, double most = 1) noexcept;
   /// The start and the end of the glide; equal if there is none.
-  const Coupling& from() const noexcept { return there_ ? to_ : from_; }
+  const Coupling& from() const noexcept { return arrived_ ? to_ : from_; }
   const Coupling& to() const noexcept { return to_; }
   /// The share of the glide that is done.
-  double made() const noexcept { return there_ ? 1 : share_; }
+  double made() const noexcept { return arrived_ ? 1 : share_; }
 
  private:
   void blend(double share) noexcept;
@@ -46,8 +47,8 @@ class GainGlide {
 
   double time_;
   double share_ = 0;  ///< share of the glide that is done
-  bool there_ = true;
-  bool turned_back_ = false;  ///< whether this change of mode has gone back
+  bool arrived_ = true;
+  bool turned_back_ = false;  ///< this change of mode has been reversed
   Coupling from_, to_;
   std::optional<Coupling> next_;  ///< the newest change that waits for the end of a change of mode
   Blend blend_;

@@ -19,7 +19,7 @@ struct HeldContacts {
   Vec6 rate(const Vec6& velocity) const { return -of_y.solve(of_device * velocity); }
 };
 
-/// The axes about which a turn moves no mass are left out of a torque, as they are of y.
+/// Removes from a torque the axes about which a turn moves no mass; y does not contain them either.
 void leave_free_axes_out(const Chart& chart, Eigen::Ref<Vec3> torque) {
   for (int i = 0; i < 3; ++i) {
     if (chart.mass().inertia[i] > 0) continue;
@@ -37,8 +37,8 @@ HeldContacts held_contacts(const MassProperties& mass, Method method,
   const Vec6 y = chart.coordinates(separation.separated);
   const Vec3 com = separation.separated * mass.com;
   HeldContacts out;
-  // A contact stays one if J ẏ = −G V: J is how its gap changes with y, and G how it changes if the
-  // separated pose goes with the device.
+  // A contact persists if J ẏ = −G V, with J the derivative of its gap by y, and G that by the
+  // device's motion if the separated pose moves with the device.
   Mat6 of_y = Mat6::Zero();
   double load = 0;
   for (const Contact& contact : separation.contacts) {

@@ -14,20 +14,21 @@ namespace sonde {
 ///
 ///     (F, τ) = −b Yᵀ Y V,   a power on the hand of −b |Y V|² ≤ 0
 ///
-/// Y is that of contacts as they are now, each a plane: ẏ is the least change that keeps them, as
-/// y is the least that separates. How a contact bends is left out, so on bent contacts R is that of
-/// another rate than the separation's own, but still dissipates, whatever the contact is like. (A
-/// force b ẏ without Yᵀ, with the measured ẏ, would not: it adds energy where a contact bends away
-/// from the probe, since the separation turns faster there than the device moves.)
+/// Y treats each present contact as a plane: ẏ is the smallest change of y that keeps these
+/// contacts, as y is the smallest displacement that separates. The curvature of contacts is
+/// neglected. So on curved contacts, ẏ is not exactly the rate of the separation, but the damper
+/// still dissipates, whatever the contacts. (A force b ẏ without Yᵀ, with the measured ẏ, would
+/// not: where a contact curves away from the probe, the separation turns faster than the device
+/// moves, and the force adds energy.)
 
-/// The matrix Y: its rows are the components of y, its columns those of V. Zero out of contact. A
-/// direction in which contacts carry less than a thousandth of the load fades out of it.
+/// The matrix Y: its rows are the components of y, its columns those of V. Zero out of contact.
+/// Directions in which the contacts carry less than a thousandth of the load fade out of it.
 Mat6 separation_jacobian(const MassProperties& mass, Method method,
                          const Separation& separation) noexcept;
 
-/// The damper's wrench for the gains k and b_t, with the device at `before` dt (s) ago. It is
-/// lessened, by one factor for all contacts so that it dissipates, until spring and damper together
-/// pull at none of them.
+/// The damper's wrench for the gains k and b_t. `before` is the device pose dt (s) ago. It is
+/// scaled down, by one factor for all contacts so that it still dissipates, until spring and damper
+/// together pull at no contact.
 Wrench object_damper(const MassProperties& mass, Method method, const Separation& separation,
                      const Pose& before, double dt, const Coupling& coupling) noexcept;
 

@@ -29,8 +29,8 @@ struct DeviceTraits {
   /// False: the device has no motors, so no force moves it.
   bool force = true;
   double period = 0;  ///< s, between its reports by its own statement; 0: unknown
-  /// False: its damping is assumed, and its delay and inertia may be; or not even that, and they
-  /// are 0.
+  /// False: its damping, and possibly its delay and inertia, are assumed values, or 0 where nothing
+  /// is assumed.
   bool known = true;
 };
 

@@ -8,11 +8,11 @@ namespace sonde {
 
 /// A hand that holds the probe exactly at its target and feels nothing: a mouse without a device.
 ///
-/// Targets of a mouse that is dragged come many ticks apart. The probe then takes as long to each
-/// as that came after the one before, so that it moves in every tick by a part of the way, as with
-/// a device, and contacts of close parts are followed by short steps. It is behind the newest
-/// target by at most the longest time between two of the same motion. A target after a pause, of
-/// the mouse or of the loop, is taken at once.
+/// A dragged mouse delivers a target only every many ticks. The probe moves to a new target in the
+/// time that has passed since the target before it, so it moves a little in every tick, as with a
+/// device, and contacts between close-fitting parts are followed in short steps. It lags behind the
+/// newest target by at most the longest interval between two targets of one motion. The first
+/// target after a pause, of the mouse or of the loop, is taken at once.
 class DirectHand {
  public:
   /// s: the longest time between two targets of one motion.
@@ -28,13 +28,13 @@ class DirectHand {
   void set_target(const Pose& X_FM) { targets_.write(X_FM); }
 
  private:
-  /// `dt` (s) later.
+  /// The probe's pose `dt` (s) after the last call.
   Pose next(double dt) noexcept;
   Pose now() const noexcept;
 
   Pose from_, to_;
-  double since_ = 2 * longest_pause;  ///< s: since the newest target
-  double over_ = 0;                   ///< s: how long the probe takes to it
+  double since_ = 2 * longest_pause;  ///< s since the newest target
+  double duration_ = 0;               ///< s: duration of the motion to it
   TripleBuffer<Pose> targets_;
 };
 

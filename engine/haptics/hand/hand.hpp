@@ -18,14 +18,15 @@ struct HandSample {
   bool held = true;      ///< false: the clutch is open; the probe stays, and there is no force
   bool trusted = true;   ///< false: the pose is old or impossible; there is no force
   bool changed = false;  ///< another hand, or the same with new axes: no force in this tick
-  /// So many times the way of before is that of the probe from now on, by the same way of the hand;
-  /// nothing else has changed. 1: no change.
+  /// Ratio of the device's new scaling to the old one: from this sample on, the same motion of the
+  /// hand moves the probe this many times as far as before. Nothing else has changed. 1: no change.
   double rescaled = 1;
   std::optional<DeviceTraits> device = {};  ///< none: unknown device
   /// For a hand that is being measured, valid until its next sample: the loop renders this instead
   /// of the contact's wrench. Null for every other hand.
   HandTrial* trial = nullptr;
-  /// s: of the device, between the report before and that of this pose; 0: no longer than a tick.
+  /// s: time from the device's previous report to the report of this pose; 0: no longer than a
+  /// tick.
   double since = 0;
 };
 
@@ -34,7 +35,7 @@ struct HandSample {
 /// and in this order, and neither allocates, locks, logs, throws or waits. When the servo stops,
 /// render gets a zero wrench once more, even if there was no tick.
 struct Hand {
-  /// dt: s since the sample before; 0 for the first.
+  /// dt: s since the last sample; 0 for the first.
   std::function<HandSample(double dt)> sample;
   /// Receives the wrench on the hand, about the probe's centre of mass at the sampled pose, in the
   /// fixed frame, after every limit. May be empty.

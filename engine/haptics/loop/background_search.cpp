@@ -46,8 +46,8 @@ std::optional<Searched> search(const Pair& pair, const Pose& X_FM, Method method
   return Searched{{separation.depth, separation.separated}, separation.far_out};
 }
 
-/// Shares by which a translation is lengthened where the turn that is left out kept a contact off:
-/// at most the gap that an answer may have.
+/// Shares by which a translation is lengthened, tried in turn, since without its turn a contact may
+/// overlap a little: at most the gap that an answer may keep.
 constexpr double lengthened[] = {0, 1e-6, 1e-4};
 
 /// The translation to that separated pose, if the bodies are apart there without its turn as well.
@@ -87,7 +87,7 @@ BackgroundResult compute(const Pair& pair, const Pose& X_FM, const std::optional
       out.nearest = turned->way;
       out.far_out = turned->far_out;
     }
-    // A short search may miss a way without a turn that another one has found.
+    // A short search may miss a separating translation that another one has found.
     if (turned) shorten(out.pdt, without_turn(pair, X_FM, turned->way.separated));
     if (known) shorten(out.pdt, without_turn(pair, X_FM, *known));
     shorten(out.nearest, out.pdt);

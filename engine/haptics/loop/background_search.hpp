@@ -29,7 +29,7 @@ struct BackgroundResult {
   std::optional<double> lower_bound;         ///< of √PD_g, m
   std::optional<BoundWitness> witness = {};  ///< of that bound
   /// Separation::far_out of the search that found `nearest`. If `nearest` is the pose that the loop
-  /// followed, of the search that found no pose as near as that.
+  /// followed, it is that of the search whose result was farther away.
   bool far_out = false;
   double budget_us = 0;  ///< of each of the two searches; 0: none
   double sure = 0.9;     ///< StaticOptions::sure of both
@@ -64,9 +64,9 @@ class BackgroundSearch {
   ~BackgroundSearch();
   BackgroundSearch(const BackgroundSearch&) = delete;
   BackgroundSearch& operator=(const BackgroundSearch&) = delete;
-  /// Replaces a request not yet begun. `known`: a separated pose of that device pose that is known
-  /// already, as the one that the loop followed. If the bodies are apart there without its turn
-  /// too, PD_t is not larger than its translation.
+  /// Replaces a request not yet begun. `known`: a separated pose already known for that device
+  /// pose, for example the one that the loop followed. If its translation alone also separates the
+  /// bodies, PD_t is at most the length of that translation.
   void request(const Pose& X_FM, const std::optional<Pose>& known = {});
   /// Whether results report where their time went, for requests from now on; off initially.
   void set_time_phases(bool on);

@@ -23,8 +23,9 @@ class ContactFeed {
   /// separated pose. Remembers that result for the next start at this pose. Allocates.
   const LocalContacts& reset(const Pose& X_FM, const StaticOptions& options);
   /// Follows to the next device pose, sampled in a tick of the servo at a time of its clock, s. No
-  /// allocation, lock, log, throw. `budget` limits the solver. Rows are gathered within a share of
-  /// `of_rows`, which need not grow with it: with less, they reach less far.
+  /// allocation, lock, log, throw. `budget` limits the solver. Gathering the rows may take a share
+  /// of `of_rows` (LoopTuning::budget_of_rows), which need not grow with `budget`; with less, the
+  /// rows have a smaller reach.
   const LocalContacts& refresh(const Pose& X_FM, std::uint64_t tick, double time,
                                const Budget& budget, const Budget& of_rows) noexcept;
   const LocalContacts& refresh(const Pose& X_FM, std::uint64_t tick, double time,
@@ -39,14 +40,14 @@ class ContactFeed {
  private:
   const Separation& begin(const Pose& X_FM, const StaticOptions& options);
   void gather(const Budget& budget) noexcept;
-  /// Gathers the rows near the separated pose. If that is near the last one, or if nothing is known
-  /// of what is near, moves the last rows with the probe instead. Returns their reach from there,
-  /// m.
+  /// Gathers the rows near the separated pose. If that is near the last one, or if no pairs could
+  /// be found there, moves the last rows with the probe instead. Returns their reach from that
+  /// pose, m.
   double gather_near(const Chart& chart, double flat, Effort& effort) noexcept;
-  /// Gathers the rows at y. If the effort does not suffice for a look at the bodies, takes them
-  /// from the solver's list of pairs, which reaches less far, also in the next refreshes: 1, 3, 7,
-  /// 15 and then 31 of them between one try and the next. Returns false if that covers nothing
-  /// either.
+  /// Gathers the rows at y. If the effort does not suffice to query the bodies, takes them from the
+  /// solver's list of pairs, which has a smaller reach, and does so in the next refreshes without
+  /// trying the bodies: 1, 3, 7, 15 and then 31 refreshes between two tries. Returns false if that
+  /// list covers nothing either.
   bool look_around(const Chart& chart, const Vec6& y, double flat, Effort& effort) noexcept;
   /// Marks the rows that would hold the probe at other device poses near by: further along the
   /// device's motion, or moved by `far` (m, for a point at the probe's radius) in any of twelve
@@ -63,8 +64,8 @@ class ContactFeed {
   Pose last_device_;
   Pose gathered_at_;  ///< of the near rows
   bool gathered_ = false;
-  int failed_looks_ = 0;      ///< in a row, of the rows' own
-  int looks_left_out_ = 0;    ///< still to be
+  int failed_looks_ = 0;      ///< queries of the bodies in a row that ran out of effort
+  int looks_left_out_ = 0;    ///< refreshes left until the next try
   std::vector<bool> marked_;  ///< of the near rows
   /// The result of the last search.
   std::optional<Separation> searched_;

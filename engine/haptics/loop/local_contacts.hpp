@@ -43,9 +43,10 @@ struct LocalAnswer {
   /// geometry's separated pose than the rows are trusted (LoopTuning::trusted). The answer then
   /// goes only as far as that, so the force is that of a probe that lags behind.
   bool held_back = false;
-  /// m: the part of y that the rows do not hold: 0 unless the probe lags behind their optimum. With
-  /// translation only, also the turn that the geometry has not followed. If the rows have no common
-  /// point, or there are none though the probe is held, it is that of the geometry's answer.
+  /// m: length of the part of y that is no combination of the rows' normals (y − Jᵀλ): 0 unless the
+  /// probe lags behind their optimum. With translation only, it includes the turn that the geometry
+  /// has not followed. If the rows have no common point, or if there are none though the probe is
+  /// held, it is that of the geometry's answer.
   double lag = 0;
 };
 

@@ -29,12 +29,13 @@ struct LoopTuning {
   /// rows are those of the solver's list of pairs, and the next gather continues its own list and
   /// has a smaller reach.
   double budget_of_rows = 0.5;
-  /// After so many looks in a row that took more than that, a look is tried in one of 2⁵ refreshes.
-  /// (A nut on its bolt: no look fits into 0.4 ms, since the boxes of its trees overlap however
-  /// short the reach. On nut-on-bolt, 17 s, the geometry took 376 and 422 µs in the median if each
-  /// refresh tried, 71 and 72 % of the ticks were in step, and the force faded in 399 and 558; with
-  /// 3 it was 112 and 119 µs, 90 and 88 %, 305 and 282 ticks; with 5 112 and 100 µs, 93 and 92 %,
-  /// none and 203. Two nuts that did not choose it gain nothing: haptic-loop.md.)
+  /// After this many queries of the bodies in a row that took more than that, only one of 2⁵
+  /// refreshes tries again (ContactFeed::look_around). (A nut on its bolt: no query fits into 0.4
+  /// ms, since the boxes of its trees overlap however short the reach. On nut-on-bolt, 17 s, the
+  /// geometry took 376 and 422 µs in the median if each refresh tried, 71 and 72 % of the ticks
+  /// were in step, and the force faded in 399 and 558; with 3 it was 112 and 119 µs, 90 and 88 %,
+  /// 305 and 282 ticks; with 5 112 and 100 µs, 93 and 92 %, none and 203. Two nuts that were not
+  /// used to choose it gain nothing: haptic-loop.md.)
   int most_failed_looks = 5;
   /// µs: how far the limit of a refresh grows while answers do not converge (RefreshLimit). With
   /// the rows, whose limit does not grow (budget_of_rows), an answer takes 6.8 ms, and is in use

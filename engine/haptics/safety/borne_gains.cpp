@@ -7,16 +7,16 @@ namespace sonde {
 namespace {
 
 constexpr double light_hand = 1;  // N·s/m; for rotations times inertia / mass
-/// Of inertia over sample time and delay, by which virtual damping is itself late: the estimate is
-/// then up to a fifth above what the eigenvalues of an axis allow; with twice as much counted, up
-/// to two fifths.
+/// Share of inertia / (sample time + delay): at most that much virtual damping counts, since it is
+/// delayed itself. The estimate is then up to a fifth above the limit by the eigenvalues of an
+/// axis; with twice this share, up to two fifths.
 constexpr double counted_damping = 1.0 / 6;
 constexpr double most_felt_turn = 1.2;  // factor on kÎ, from real contacts
 
-/// What the largest rotational gain is of the gain of the object norm, m².
+/// m²: ratio of the largest stiffness felt in a rotation to the gain of the object norm.
 double felt_turn(const MassProperties& mass) { return most_felt_turn * mass.inertia.maxCoeff(); }
 
-/// Of a gain that acts on translations and, times Î, on rotations.
+/// The largest value of a gain that acts on translations and, times Î, on rotations.
 double largest_of_both(double translation, double rotation, const MassProperties& mass) {
   const double turn = felt_turn(mass);
   if (!(rotation > 0 && turn > 0)) return translation;
@@ -43,7 +43,8 @@ DeviceTraits as_assumed(const DeviceTraits& device) {
 
 double capped(double wanted, double most) { return most > 0 ? std::min(wanted, most) : wanted; }
 
-/// By how much a stiffness is above its limit before a change, and after the whole of it.
+/// The share of a change up to which a stiffness exceeds its limit by no more than allowed.
+/// `before` and `after`: excess over the limit before the change and after all of it.
 double share_of(double before, double after) {
   if (after <= 0 || after <= before) return 1;
   return before >= 0 ? 0 : before / (before - after);
@@ -123,8 +124,9 @@ double share_of_way(const GainGlide& glide, const DeviceTraits& device, double s
   const FeltGains from = felt_gains(glide.from(), mass), to = felt_gains(glide.to(), mass);
   const BorneGains before = stable_by_estimate(device, sample_time, glide.from(), mass);
   const BorneGains after = stable_by_estimate(device, sample_time, glide.to(), mass);
-  // What is felt is on the straight line between its ends, in a blend of two modes too. The limit
-  // is the lesser of two straight lines, so at no point is it below the one between its ends.
+  // The felt stiffness is linear along the glide, in a blend of two modes too. The limit is the
+  // smaller of two linear functions, so it is nowhere below the straight line between its values at
+  // the ends.
   return std::min(share_up_to(from.k_t, before.translation, to.k_t, after.translation),
                   share_up_to(from.k_r, before.rotation, to.k_r, after.rotation));
 }

@@ -11,7 +11,7 @@ Vec3 less(const Vec3& carried, double by) {
   return size > by ? Vec3(carried * (1 - by / size)) : Vec3(Vec3::Zero());
 }
 
-/// What is taken away is at most what is there.
+/// Removes from the sum a component against `wanted`.
 Vec3 not_against(const Vec3& sum, const Vec3& wanted) {
   const double along = sum.dot(wanted);
   if (along >= 0) return sum;
@@ -33,7 +33,7 @@ void CarriedForce::carry(const Wrench& felt, const Wrench& now) noexcept {
 Wrench CarriedForce::added_to(const Wrench& wanted, const ChangeRate& rate, const Vec3& velocity,
                               double dt) noexcept {
   if (more_.force.isZero(0) && more_.torque.isZero(0)) return wanted;
-  // As the force changes, a hand that is not firm goes the same way.
+  // A loosely held handle moves in the direction in which the force changes.
   const double size = more_.force.norm();
   const double yields = size > 0 ? -velocity.dot(more_.force) / size : 0;
   const double step = dt > 0 ? dt : 0;

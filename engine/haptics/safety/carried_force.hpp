@@ -6,24 +6,26 @@
 
 namespace sonde {
 
-/// m/s, a third of the speed at which a handle may be moved by what is not its own motion: one that
-/// goes where the force changes to, as fast as that, gets hardly any more of that change.
+/// m/s: a handle that yields to a change of force at this speed gets hardly any more of that
+/// change. A third of the speed at which causes other than the hand's own motion may move a handle.
 inline constexpr double slow_enough = 0.03;
 
-/// The share of a rate of change that is left where the handle yields at this speed, m/s.
+/// The share, 0.01 to 1, of its rate at which a force may change while the handle yields to it at
+/// this speed, m/s.
 double share_where_it_yields(double speed) noexcept;
 
-/// Where a device's scaling changes in a contact, the hand feels another force, at once, though it
-/// has not moved. This carries what it felt over into the new scale: the difference is added to
-/// what the coupling wants, and falls to nothing at the permitted rate of change.
+/// If a device's scaling changes during a contact, the force on the hand would jump although the
+/// hand has not moved. This class carries the old force over into the new scale: the difference is
+/// added to the coupling's wrench, and decays to zero at the permitted rate of change.
 class CarriedForce {
  public:
-  /// Nothing is carried: the contact is left, or the force ended.
+  /// Carries nothing from now on: the contact or the force has ended.
   void restart() noexcept { more_ = Wrench{}; }
-  /// The coupling wants `now` where the hand feels `felt`, both in the new scale.
+  /// From now on, the coupling's wrench is `now`, while the hand still feels `felt`; both in the
+  /// new scale.
   void carry(const Wrench& felt, const Wrench& now) noexcept;
-  /// The wrench for this tick, of dt (s). `velocity`: of the hand, m/s, in the frame of the force.
-  /// It never pulls where the coupling pushes.
+  /// The wrench for a tick of dt (s): `wanted` plus the rest that is carried, limited so that it
+  /// never points against `wanted`. `velocity`: of the hand, m/s, in the frame of the force.
   Wrench added_to(const Wrench& wanted, const ChangeRate& rate, const Vec3& velocity,
                   double dt) noexcept;
 

@@ -49,8 +49,8 @@ struct SafetySettings {
 /// See also the other limits of the wrench. Before the gate, Coupler::wrench
 /// (engine/haptics/coupling/coupler.cpp) scales it down to the limits of the coupling. After it,
 /// Passivity::control may damp it, within the limits of the coupling and with no more than the
-/// ramp's share of that damping, and the driver of a device with force
-/// scales it down to what that device can give: `limited` in engine/devices/device_sample.cpp.
+/// ramp's share of that damping. Finally the driver of a device with force scales it down to what
+/// that device can give (`limited` in engine/devices/device_sample.cpp).
 class ForceGate {
  public:
   explicit ForceGate(const SafetySettings& settings = {}) : settings_(settings) {}
@@ -60,7 +60,8 @@ class ForceGate {
   Wrench pass(const Wrench& wanted, Withheld why, double max_force, double max_torque,
               double dt) noexcept;
   void restart() noexcept;  ///< the next force rises from zero
-  /// The same force of the hand is so many times the force from now on.
+  /// Converts the last force to a new scaling of the device, in which the same force of the hand is
+  /// `times` as large.
   void rescale(double times) noexcept { last_.force *= times; }
   /// Limits how fast the ramp may raise a wrench, at the probe; initially only its time limits it.
   void set_change_rate(const ChangeRate& rate) noexcept { rate_ = rate; }
@@ -68,7 +69,7 @@ class ForceGate {
   struct Slew {
     double force = 0, torque = 0;  ///< N/s, N·m/s
     bool ends_at_once = true;      ///< a change to a wrench of zero is not limited
-    /// What a wrench that falls may change by besides.
+    /// N/s, N·m/s, in addition if the wrench falls.
     double falling_force = 0, falling_torque = 0;
   };
   void set_slew(const Slew& slew) noexcept { slew_ = slew; }

@@ -10,8 +10,8 @@
 namespace sonde {
 namespace {
 
-/// s: for so long a motion is taken to go on without a report. A hand that turns round within it is
-/// pushed on by what should brake it.
+/// s: a motion is assumed to continue for at most this long without a report. If the hand reverses
+/// within that time, the damping that should brake it pushes it on.
 constexpr double longest_guess = 0.01;
 
 bool pushes(const Wrench& wrench) { return !wrench.force.isZero(0) || !wrench.torque.isZero(0); }
@@ -35,13 +35,13 @@ const Wrench& Passivity::acting() const noexcept {
 void Passivity::set_device(const std::optional<DeviceTraits>& device) noexcept {
   device_ =
       device.value_or(DeviceTraits{.damping = settings_.device_damping, .delay = settings_.delay});
-  if (!device_.known) device_.damping = 0;  // what is assumed may not be there to dissipate
+  if (!device_.known) device_.damping = 0;  // an assumed damping need not exist
   ticks_late_ = whole_ticks(device_.delay, period_, most_ticks_late);
 }
 
 /// N·s/m: largest α; the damping of turns is α Î.
 double Passivity::most_damping() const noexcept {
-  // That of the settings is at the hand.
+  // The limit of the settings applies at the hand.
   const double ratio = device_.ratio > 0 ? device_.ratio : 1;
   const double most =
       device_.max_damping > 0 ? device_.max_damping : settings_.max_damping / (ratio * ratio);
@@ -89,7 +89,7 @@ Wrench Passivity::mean_held() const noexcept {
   return {held_.impulse / held_.time, held_.twist / held_.time};
 }
 
-/// Until the next report is due, the hand is taken to move on as it did up to the last one.
+/// Until the next report is due, the hand is assumed to move on as it did up to the last one.
 void Passivity::wait() noexcept {
   if (fresh_for_ > dt_ / 2)
     fresh_for_ -= dt_;
@@ -98,7 +98,7 @@ void Passivity::wait() noexcept {
 }
 
 void Passivity::report(const Vec3& step, const Vec3& turn, double since) noexcept {
-  // Without its time, what has moved has moved in this tick.
+  // Without its time, the motion counts as that of this tick.
   const Wrench wrench = since > 0 ? mean_held() : acting();
   held_ = Held{};
   since_ = since > dt_ ? since : dt_;

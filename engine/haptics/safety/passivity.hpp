@@ -55,16 +55,17 @@ class Passivity {
   void set_period(double period) noexcept { period_ = period; }  ///< s, from the next device on
   void restart(const Pose& X_FM) noexcept;
   /// The pose of this tick, which includes the effect of the last wrench. dt in s since the last
-  /// pose. A pose that leapt (no hand moves that fast) is no motion, and no work: else a wrong one
-  /// would pay for energy that a contact gives. Neither is one beyond what can be computed with.
-  /// `since` in s, see HandSample; a pose that stays where it was, without it, is no report.
+  /// pose. A pose that leapt (moved faster than a hand can) counts as no motion and no work;
+  /// otherwise the work of a wrong pose could offset energy that a contact gives. The same holds
+  /// for a pose too far away to compute with. `since` (s): see HandSample; if it is 0, an unchanged
+  /// pose is not a report.
   void observe(const Pose& X_FM, double dt, bool leapt = false, double since = 0) noexcept;
   /// The wrench that would go to the hand, damped if the controller is on. Call rendered()
   /// afterwards.
   Wrench control(const Wrench& wanted) noexcept;
   /// The wrench that went to the hand in this tick.
   void rendered(const Wrench& wrench) noexcept;
-  /// A tick without a pose and without a wrench: the hand's motion in it is not known.
+  /// A tick without a pose and without a wrench; the hand's motion in it is unknown.
   void rested() noexcept;
   const HandEnergy& energy() const noexcept { return energy_; }
 
@@ -95,8 +96,8 @@ class Passivity {
   Vec3 turn_ = Vec3::Zero();  ///< rad, fixed frame, likewise
   double dt_ = 0;             ///< s, of the last tick
   double since_ = 0;          ///< s, time of step_ and turn_
-  double acts_for_ = 0;       ///< s, for which that motion is taken to go on
-  double fresh_for_ = 0;      ///< s, what is left of it
+  double acts_for_ = 0;       ///< s, for which that motion is assumed to continue
+  double fresh_for_ = 0;      ///< s, the rest of that time
   Held held_;
   Wrench wanted_;                                       ///< of control(), before its damping
   bool controlled_ = false;                             ///< control() was called in this tick

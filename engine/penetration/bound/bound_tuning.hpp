@@ -49,20 +49,20 @@ struct BoundTuning {
 
   // Crossings (best_crossing). Each limit leaves out curves that might have proved more.
   double worth_crossings =
-      0.5;           ///< times the known depth: with a bound above it none is looked for
-  double reach = 4;  ///< times the known depth: what is looked at about a place
-  double comparisons_of_work = 300;         ///< comparisons that take the time of one unit of work
-  int most_opened_for_crossings = 2000;     ///< pairs of boxes opened to find places
-  std::size_t most_meets = 256;             ///< pairs of triangles that meet, to choose places from
-  double off_the_ends = 0.999;              ///< share of a shared segment in which a place may lie
-  std::size_t most_crossings = 8;           ///< places
-  std::size_t most_local_triangles = 1024;  ///< of either body about a place, the nearest
-  std::size_t most_steps_of_cut = 1000;     ///< triangles that a curve runs over on each side
-  double pieces_of_reach = 24;              ///< pieces of a curve in a length of the reach
+      0.5;           ///< times the known depth: with a larger bound, no crossings are searched for
+  double reach = 4;  ///< times the known depth: radius of the region examined about a place
+  double comparisons_of_work = 300;      ///< comparisons that take the time of one unit of work
+  int most_opened_for_crossings = 2000;  ///< pairs of boxes opened to find places
+  std::size_t most_meets = 256;          ///< intersecting pairs of triangles, to choose places from
+  double off_the_ends = 0.999;           ///< central share of a shared segment in which places lie
+  std::size_t most_crossings = 8;        ///< places
+  std::size_t most_local_triangles = 1024;  ///< of each body about a place, the nearest
+  std::size_t most_steps_of_cut = 1000;     ///< triangles that a curve crosses on each side
+  double pieces_of_reach = 24;              ///< pieces of a curve per length of the reach
   double most_pieces = 128;                 ///< of a curve
   double least_cosine_of_patch = 0.2;  ///< of the angle between the normals of a patch and its seed
-  /// Tangents of the angles of the planes that cut curves to the one across the line in which
-  /// triangles meet.
+  /// Curves are cut by planes through the place. These are the tangents of the planes' angles to
+  /// the plane perpendicular to the line in which the two triangles intersect.
   double slopes_of_cuts[3] = {0, 0.7, -0.7};
 
   // Ascent to deeper points (CommonDepth::ascend)

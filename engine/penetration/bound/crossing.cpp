@@ -117,8 +117,8 @@ std::vector<Meet> spread(const std::vector<Meet>& all, std::size_t most) {
   return out;
 }
 
-/// Divides a curve that begins at a place into pieces of at most `length`, and leaves out the place
-/// itself: its piece goes on behind it, so that no end of a piece falls on the patch there.
+/// Divides a curve that begins at a place into pieces of at most `length`. The place itself is no
+/// end of a piece: the first piece extends beyond it, since an end there would lie on the patch.
 std::vector<Vec3> divided(const std::vector<Vec3>& points, double length) {
   std::vector<Vec3> out;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -235,7 +235,8 @@ class Search {
     return points;
   }
 
-  /// The parts that end at each of the points, as long as they may prove more than the best so far.
+  /// Tries the parts of the curve that end at each of its points, as long as they may prove more
+  /// than the best so far.
   std::vector<Part> parts(const std::vector<Vec3>& points, const SurfacePatch& patch, const Meet& m,
                           Part part) {
     std::vector<Part> out;

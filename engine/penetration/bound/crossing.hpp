@@ -10,11 +10,12 @@
 
 namespace sonde {
 
-/// Proof that two bodies overlap that needs no inside: a curve on the surface of one body that
-/// pierces a patch of the other's an odd number of times. As long as each point of the curve is
-/// displaced by less than `depth`, no end of the curve comes to the patch and no point of the curve
-/// to the patch's border. So the number stays odd, and the surfaces still meet. The proof is in
-/// "Lower bound" of resources/docs/understand/mathematics.md.
+/// A proof that two bodies overlap which also works for surfaces, which have no inside: a curve on
+/// the surface of one body pierces a patch of the other body's surface an odd number of times. As
+/// long as each point of the curve is displaced by less than `depth`, no end of the curve reaches
+/// the patch, and no point of the curve reaches the patch's border. So the number stays odd, and
+/// the surfaces still meet. The proof is in "Lower bound" of
+/// resources/docs/understand/mathematics.md.
 struct Crossing {
   Vec3 at = Vec3::Zero();  ///< where the curve pierces the patch, in the fixed body's mesh frame, m
   double depth = 0;        ///< rounded down, m
@@ -22,8 +23,8 @@ struct Crossing {
 };
 
 struct CrossingSearch {
-  double beat = 0;  ///< m: bounds no larger are of no use
-  double reach;     ///< m: nothing further from a place where triangles meet is looked at
+  double beat = 0;  ///< m: only larger bounds are of use
+  double reach;     ///< m: radius of the region examined about a place where triangles meet
   /// Limit of the counted work: comparisons of a piece of a curve with a triangle or a border. If
   /// it acts, fewer places and directions are tried, and the bound may be lower.
   int work = 2'000'000;

@@ -17,8 +17,8 @@ struct BoundOptions {
   int work = 20'000;
   /// Whether the bound is of √PD_t, which is no lower, rather than √PD_g.
   bool translations = false;
-  /// m: the depth of a known separation. Where the bound reaches half of it, no crossings are
-  /// looked for. Infinite: unknown.
+  /// m: the depth of a known separation. If the bound reaches half of it, no crossings are searched
+  /// for. Infinite: unknown.
   double known = std::numeric_limits<double>::infinity();
 };
 

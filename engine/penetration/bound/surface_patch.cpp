@@ -32,7 +32,7 @@ void connect(LocalSurface& surface) {
   });
 }
 
-/// These triangles of a mesh, placed by X, one of each kind that has the same corners.
+/// These triangles of a mesh, placed by X, without duplicates.
 Soup extract(const Soup& mesh, const std::vector<std::uint32_t>& some, const Transform& X) {
   std::vector<std::uint32_t> used;
   for (const std::uint32_t i : some)
@@ -62,7 +62,7 @@ std::size_t side_towards(const LocalSurface& surface, std::uint32_t from, std::u
   return k;
 }
 
-/// Triangles of surface(body) within the reach of x, or within as much of it as holds no more than
+/// Triangles of surface(body) within the reach of x, or within a smaller reach that holds at most
 /// `most`.
 std::vector<std::uint32_t> near_by_tree(const Body& body, const Vec3& x, double reach,
                                         std::size_t most) {
@@ -234,7 +234,8 @@ SurfacePatch patch_about(const LocalSurface& surface, std::uint32_t seed, double
   in[seed] = 1;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::uint32_t here = all[i];
-    // Whichever way round the corners of either triangle are, the normals are on one side.
+    // The order of the corners of either triangle does not matter: the normals point to the same
+    // side.
     const bool kept = unit_normal(surface.at(here)).dot(normal[i]) > 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t next = surface.neighbour[here][k];

@@ -24,15 +24,16 @@ struct LocalSurface {
   std::vector<std::array<std::uint32_t, 3>> neighbour;
   std::size_t size() const { return soup.triangles.size(); }
   Corners at(std::uint32_t triangle) const { return corners(soup, triangle); }
-  /// Of the triangles within `slack` (m) of x the one whose plane is most nearly perpendicular to
-  /// `normal`; none if there are none.
+  /// Of the triangles within `slack` (m) of x, the one whose plane is most nearly perpendicular to
+  /// `normal`; `none` if there is no such triangle.
   std::uint32_t about(const Vec3& x, const Vec3& normal, double slack) const;
 };
 
-/// The triangles within `reach` (m) of x (in F), each of them once. At most `most`: where there are
-/// more, those within a smaller reach, or some of those about x. They are of the mesh as it was
-/// given, whose neighbours share their corners: a flat part of surface(body) may be joined across
-/// the corners of the next part. Adds to `work` what it takes to look for them.
+/// The triangles within `reach` (m) of x (in F), without duplicates. At most `most`: if there are
+/// more, the reach is reduced, and if more than that meet at x itself, some of these are returned.
+/// The triangles are those of the mesh as given, in which neighbours share their corners. (In
+/// surface(body), a merged flat part may pass over corners of the part beside it.) Adds the work of
+/// the search to `work`.
 LocalSurface local_surface(const Body& body, const Transform& X_FB, const Vec3& x, double reach,
                            std::size_t most, std::int64_t& work);
 /// Whether local_surface compares x with every triangle of the body's mesh.
@@ -46,8 +47,8 @@ class TriangleSet {
   /// m, infinite if the set is empty. Accurate as closest_points is. Adds to the counted work: 1
   /// for a triangle compared by its ball, 40 for one compared exactly.
   double distance(const Corners& from, std::int64_t& work) const;
-  /// The number of triangles that the segment pierces; no value if rounding leaves it open for one
-  /// that is within `guard`, m.
+  /// The number of triangles that the segment pierces. No value if that is uncertain for some
+  /// triangle, because rounding errors (`guard`, m) could change it.
   std::optional<int> pierced(const Vec3& from, const Vec3& to, double guard,
                              std::int64_t& work) const;
 
@@ -55,7 +56,7 @@ class TriangleSet {
   std::vector<Corners> at_;
   std::vector<Vec3> center_;
   std::vector<Vec3> normal_;    // unit; 0 of a segment
-  std::vector<double> uneven_;  // m: rounding of a height over the plane, from the normal's
+  std::vector<double> uneven_;  // m: error of a height over the plane, due to the normal's rounding
   std::vector<double> radius_;
 };
 
@@ -68,8 +69,8 @@ struct SurfacePatch {
 /// of the corners does not matter.
 SurfacePatch patch_about(const LocalSurface& surface, std::uint32_t seed, double least_cosine);
 
-/// The curve in which a plane cuts a surface through a point x of a triangle, from x both ways.
-/// Where it runs round the body, both end at the same point.
+/// The curve in which a plane cuts a surface through a point x of a triangle, from x both ways. If
+/// the curve is closed, both parts end at the same point.
 struct PlaneCut {
   std::vector<Vec3> ahead, behind;  ///< in F, m; x is the first of both
 };

@@ -269,7 +269,8 @@ bool ContactRows::replace_blocking_row(const Chart& chart, const Vec6& y,
   const double depth = nearest.y.norm();
   for (std::size_t k = 0; k < static_cast<std::size_t>(nearest.active_count); ++k) {
     const auto i = static_cast<std::size_t>(nearest.active[k]);
-    // No way that opens without this row is steeper than its share of the force.
+    // Without this row, |y| can fall no more steeply than in proportion to the row's share of the
+    // force.
     const double share = i < count_ ? nearest.multiplier[k] * rows_[i].normal.norm() : 0;
     if (!(share > contact_tuning.least_slope * depth)) continue;
     const auto [a, b] = pair_of_[i];

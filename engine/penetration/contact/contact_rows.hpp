@@ -94,8 +94,9 @@ class ContactRows {
   Sweep sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept;
 
   /// Works on the next neighbour list with the part of a limited effort that the tick has not used.
-  /// The list is for ticks in which the device moves by `moved` (m), as in this one: a probe that
-  /// catches up takes longer paths, and a list for many of these would take longer than they do.
+  /// The list is made for ticks in which the device moves by `moved` (m), as in this one. (A probe
+  /// that catches up moves farther in a tick, but making a list for many such ticks would take
+  /// longer than the catching up.)
   void prepare_next_list(double moved, Effort& effort) noexcept;
 
   /// Result of add_cuts() at the end of a path.
@@ -161,10 +162,11 @@ class ContactRows {
   /// the recent course. It is the mean if the probe rolls on the contacts, the centre of mass if
   /// the probe turns within them.
   Vec3 least_moving_point(const Transform& X) const noexcept;
-  /// m: the reach that a list made for `reach` covers on all of its path.
+  /// m: the reach that a list made for `reach` should have everywhere on its path.
   double near_of(double reach) const noexcept { return std::max(reach, 2 * least_asked_); }
   /// Finds the pairs within `reach` (m) of each other. If the neighbour list has a smaller reach,
-  /// but at least `least` (m) and a share of `reach`, that smaller reach is used.
+  /// but at least `least` (m) and ContactTuning::least_share_of_reach of `reach`, that smaller
+  /// reach is used.
   NearPairs find_pairs(const Transform& X, double reach, double least, Effort& effort) noexcept;
   void accept(const Contact& contact, const TrianglePair& of) noexcept;
   void remember(const TrianglePair& pair) noexcept;
@@ -210,8 +212,8 @@ class ContactRows {
   double smallest_gap_ = 0;
   double reach_ = 0;
   Transform X_;  // of the last gather
-  /// A row was replaced (replace_blocking_row): along its axis, it may forbid elsewhere what the
-  /// pair's own direction does not, so such rows are good until the next gather.
+  /// Some row was replaced (replace_blocking_row). At another pose, its axis may forbid motions
+  /// that the pair's own direction allows, so the rows must not be reused at the next pose.
   bool has_other_axes_ = false;
   bool gathered_ = false;  // false: the last gather ran out of effort, or there was none
   PhaseTimes* times_ = nullptr;

@@ -50,9 +50,10 @@ struct ContactTuning {
   /// Share of min(gap of a row, margin): the least gap along another axis that may replace the
   /// row's normal. A straight step keeps that gap, and later steps regain the margin.
   double other_gap = 0.25;
-  /// Of the way that another axis opens: no row is replaced for a less steep fall of |y|. (Of seven
-  /// ticks of a chain's link on another, four stayed held where nothing obstructs a fall of 0.11 to
-  /// 0.16 if the mean slope of the way had to be 0.1; none does with this.)
+  /// Mean slope, the fall of |y| per length, of the step that another axis allows: a row is not
+  /// replaced for a smaller one. (Seven ticks of a chain's link on another link: with 0.1, the
+  /// probe stayed held in four of them, although unobstructed steps with slopes of 0.11 to 0.16
+  /// began there; with this value in none.)
   double least_slope = 0.05;
   /// Cosine: of two rows that are this parallel, the nearer may imply the other.
   double same_normal = 1 - 1e-12;

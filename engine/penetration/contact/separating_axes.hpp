@@ -31,23 +31,23 @@ inline const Vec3& lowest_corner(const Corners& t, const Vec3& n) {
                            [&](const Vec3& x, const Vec3& y) { return n.dot(x) < n.dot(y); });
 }
 
-/// The point of A whose motion changes the gap along n, unit, which is across edges i of A and j of
-/// B (`axis`: their cross product). If both triangles end in these edges, it is the nearest point
-/// of A's line to B's. If neither does, the plane through B's highest corner stays as it is, and it
-/// is A's lowest corner. None if only A's edge bounds its triangle.
+/// The point of A whose motion changes the gap along n. n (unit) is perpendicular to edge i of A
+/// and edge j of B; `axis` is their cross product. If A's extreme edge along n is edge i and B's is
+/// edge j, it is the point of A's line nearest to B's line. If A's extreme feature is another one,
+/// it is A's lowest corner. No value if only A's edge is extreme.
 std::optional<Vec3> point_between_edges(const Corners& a, std::size_t i, const Corners& b,
                                         std::size_t j, const Vec3& axis, const Vec3& n,
                                         double gap) noexcept;
 
-/// Contacts of A and B along their separating axes; at most both sides of eleven.
+/// Contacts of A and B along their separating axes: at most both directions of eleven axes.
 struct OtherAxes {
   std::array<Contact, 22> items;
   std::size_t size = 0;
 };
 /// The axes along which A and B are apart by at least `least`, m, except one that is parallel to
-/// `normal` (unit, from B to A). The points are those whose motion
-/// changes the gap: of a corner and a face, the corner and its foot; of two edges, the nearest
-/// points of their lines. Two edges of which only A's bounds its triangle give none.
+/// `normal` (unit, from B to A). The points of a contact are those whose motion changes its gap:
+/// for a corner and a face, the corner and its foot point; for two edges, the nearest points of
+/// their lines. See point_between_edges() for pairs of edges that give none.
 OtherAxes other_axes(const Corners& a, const Corners& b, const Vec3& normal, double least) noexcept;
 
 }  // namespace sonde

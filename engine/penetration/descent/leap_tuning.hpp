@@ -11,9 +11,9 @@ namespace sonde {
 /// `tests/reference/depths.csv` (`sonde-depths`). Lengths are in m of y unless a line gives another
 /// unit.
 struct LeapTuning {
-  /// Maximum numbers of pairs, the nearest, from which rows are made. If there are more, `cut`
-  /// finds those that obstruct a leap, up to DescentTuning::most_cuts times. With outlines these
-  /// are not searched for, and the descent ends at a larger |y|.
+  /// Maximum numbers of pairs, the nearest, from which rows are made. If there are more,
+  /// ContactRows::add_cuts finds those that obstruct a leap, up to DescentTuning::most_cuts times.
+  /// With outlines these are not searched for, and the descent ends at a larger |y|.
   std::size_t few_pairs = 96;
   std::size_t many_pairs = 512;
 

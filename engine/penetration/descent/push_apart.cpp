@@ -67,7 +67,7 @@ WayOut way_out(const Corners& a, const Corners& b, bool solid_a, bool solid_b) {
 PushApart::PushApart(const Body& probe, const Body& fixed, Method method)
     : probe_(probe), fixed_(fixed), method_(method), found_(push_apart_tuning.most_pairs) {
   rows_.reserve(push_apart_tuning.most_pairs);
-  ways_.reserve(push_apart_tuning.most_pairs);
+  displacements_.reserve(push_apart_tuning.most_pairs);
 }
 
 bool PushApart::is_free(const Chart& chart, const Vec6& y) const {
@@ -91,20 +91,21 @@ void PushApart::gather(const Chart& here, double margin) {
     if (method_ == Method::pdt) row.normal.head<3>().setZero();
     rows_.push_back({row, 0});
   }
-  shorten_long_ways();
+  limit_displacements();
 }
 
 /// Two large triangles that just cross at an edge of a solid may be separable only by a long way,
 /// since the short one leads into the solid. The rows of their neighbours know the short one.
-void PushApart::shorten_long_ways() {
+void PushApart::limit_displacements() {
   if (rows_.empty()) return;
   const auto way = [](const Row& row) {
     return row.half_space.bound / row.half_space.normal.norm();
   };
-  ways_.clear();
-  for (const Row& row : rows_) ways_.push_back(way(row));
-  const auto middle = ways_.begin() + static_cast<std::ptrdiff_t>(ways_.size() / 2);
-  ordering::nth_element(ways_.begin(), middle, ways_.end(), std::less<>());
+  displacements_.clear();
+  for (const Row& row : rows_) displacements_.push_back(way(row));
+  const auto middle =
+      displacements_.begin() + static_cast<std::ptrdiff_t>(displacements_.size() / 2);
+  ordering::nth_element(displacements_.begin(), middle, displacements_.end(), std::less<>());
   const double most = push_apart_tuning.longest_way * *middle;
   for (Row& row : rows_)
     if (way(row) > most) row.half_space.bound = most * row.half_space.normal.norm();

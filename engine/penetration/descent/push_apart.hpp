@@ -24,8 +24,8 @@ class PushApart {
   /// From now on, adds the time spent in each phase to `times`. Null: records no times.
   void time_into(PhaseTimes* times) noexcept { times_ = times; }
   /// A free pose (by overlap with doubt as contact) near y, in the chart of the device pose, with
-  /// |y| < `farthest`, m, if that of the given one is. The triangles mostly push the probe out of
-  /// that ball at first. Then it is moved straight back into it, and the remaining pairs push it
+  /// |y| < `farthest` (m) if the given y is within that ball. The first pushes mostly lead out of
+  /// the ball; then the probe is moved straight back into it, and the remaining pairs push it
   /// sideways, along the body.
   std::optional<Vec6> from(const Chart& chart, const Vec6& y, double farthest,
                            const Deadline& deadline = {});
@@ -36,12 +36,12 @@ class PushApart {
     double push;           ///< its multiplier
   };
   bool is_free(const Chart& chart, const Vec6& y) const;
-  /// Makes rows of the pairs that intersect, or nearly do, at the pose whose chart this is: the
-  /// least step is of the motion from there. In the device's chart a turn near half of one is a
-  /// step of no length, and a push across it would leave the chart.
+  /// Makes rows of the pairs that intersect, or nearly do, at the origin of the chart `here`; the
+  /// step begins there. (In the device's chart, a turn near half a turn has steps of no length, and
+  /// a push across it would leave the chart.)
   void gather(const Chart& here, double margin);
-  /// Limits what a row asks for, compared with the others.
-  void shorten_long_ways();
+  /// Limits the displacement that a row demands to a multiple of the median.
+  void limit_displacements();
   /// A step that satisfies the rows about evenly.
   Vec6 compromise();
   Vec6 moved(const Chart& chart, const Vec6& y, const Chart& here, const Vec6& step) const;
@@ -52,7 +52,7 @@ class PushApart {
   PhaseTimes* times_ = nullptr;
   std::vector<Violation> found_;
   std::vector<Row> rows_;
-  std::vector<double> ways_;  // m: what each row asks for
+  std::vector<double> displacements_;  // m: the displacement that each row demands
 };
 
 }  // namespace sonde

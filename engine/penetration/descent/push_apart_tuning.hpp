@@ -16,8 +16,8 @@ struct PushApartTuning {
   int most_looks = 40;
   /// Pairs that one step considers. The pairs of a deep overlap contradict each other; more of them
   /// cost more and do not succeed more often: with 24, 32 and 48, 308, 309 and 308 of 320 searches
-  /// on deep_tuning.csv are within 1 %, in medians of 102, 109 and 113 ms. But with 24, one side of
-  /// its rim pushes a ball to and fro in a plate.
+  /// on deep_tuning.csv are within 1 %, in medians of 102, 109 and 113 ms. But with 24, a ball in
+  /// the hole of a plate is pushed to and fro, by one side of the rim at a time.
   std::size_t most_pairs = 32;
   /// How often a pose that is pushed out of the ball is moved back before the start is given up.
   /// Without, four of five random overlaps of deep_tuning.csv leave the ball of 1.3 times the best
@@ -37,10 +37,11 @@ struct PushApartTuning {
   double aside = 0.1;
 
   // The compromise between pairs
-  /// Times the median: no row asks for a longer way. (A dovetail of 12 triangles, 7 mm aside in its
-  /// groove, was pushed out of it lengthwise by 1.6 m at the first step: of 16 such poses, 15 were
-  /// answered over 1 % too deep, by up to 76 times. With 10, 4 and 2 it is 12, 2 and 1; of 192
-  /// searches of hexagons, T's, rods and blades 15 with 4, and 18 with 2.)
+  /// Limit of the displacement that a row demands, as a multiple of the median of all rows. (A
+  /// dovetail of 12 triangles, 7 mm aside in its groove, was pushed out of it lengthwise by 1.6 m
+  /// at the first step: of 16 such poses, 15 were answered over 1 % too deep, by up to 76 times.
+  /// With 10, 4 and 2 it is 12, 2 and 1; of 192 searches of hexagons, T's, rods and blades 15 with
+  /// 4, and 18 with 2.)
   double longest_way = 4;
   int sweeps = 8;     ///< Gauss-Seidel sweeps; the next step handles what is not settled
   double give = 0.3;  ///< share of a row's |n|²: how far it yields to contradicting rows

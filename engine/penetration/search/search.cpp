@@ -313,7 +313,8 @@ void Search::pushed_rounds() {
   // is higher: twice as many starts leave two thirds to nine tenths of them, measurements.md, "Deep
   // concave pairs".)
   const double more = (1 - StaticOptions{}.sure) / (1 - std::clamp(options_.sure, 0.0, 1 - 1e-4));
-  // A quarter of what an int holds is more than any search makes, and twice of it is an int too.
+  // Capped at a quarter of the largest int: no search makes as many, and twice as many is still an
+  // int.
   constexpr int most_scaled = std::numeric_limits<int>::max() / 4;
   const auto scaled = [&](int starts) {
     return std::max(static_cast<int>(std::min<double>(more * starts, most_scaled)), int{per_round});

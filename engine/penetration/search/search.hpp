@@ -97,7 +97,8 @@ class Search {
   /// Starts from the ends on the sketches and from the device pose.
   void first_starts();
 
-  /// One start from that overlap, or from y itself if it is free. Zero is the device pose.
+  /// One start from the overlap at y, which is pushed apart, or from y itself if it is free. y = 0
+  /// is the device pose.
   void push_from(const Vec6& y, Method method);
 
   void near_starts(Method method);
@@ -107,12 +108,12 @@ class Search {
   void pushed_starts();
 
   /// Starts from the poses, of some random ones, in which the bodies would best fit into each
-  /// other. A fit with little room is missed by all other starts, and then those agree on a longer
-  /// way out, whatever their number.
+  /// other. All other starts miss a fit with little room, and then agree on a longer separating
+  /// motion, however many they are.
   void fitted_starts();
 
   /// Starts from free images of the nearest ends under the symmetries of bits, plugs and gears: of
-  /// many seats that are alike, random starts find some, and not the nearest one.
+  /// many equivalent seats, random starts find some, but mostly not the nearest.
   void turned_ends();
 
   /// Starts from up to `most` untried ends on the sketches, two at a time, as long as they may be

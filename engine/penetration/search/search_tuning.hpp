@@ -40,26 +40,27 @@ struct SearchTuning {
   double same_place = 0.1;
   /// Grid cells: estimated error of sketches. An end deeper than the best depth by more is not
   /// tried, and a random pose at which the sketches overlap more deeply is rejected without a test
-  /// of the bodies. If it is lower, what the sketches show wrongly is lost.
+  /// of the bodies. If it is lower, optima that the sketches show too deep are missed.
   double sketch_error = 0.3;
-  /// Factor on a depth: how wrong one by few points, by outlines or by sketches may be. A descent
-  /// by outlines, or on sketches with all points, that will end above so many times the best depth
-  /// is given up (by few points already above the best depth itself), an overlap that is pushed
-  /// further than that too (PushApart), and an end above it is not descended from exactly. (What
-  /// will end above is what stands a tenth above it: `hopeless` of the descents.)
-  /// If the bodies end deeper than so many times the sketches, these miss what holds the bodies (on
-  /// depths.csv they end within 0.9 to 1.15 of it, but 1.7 to 5 times as deep between a solid and a
-  /// thin surface); then they are no evidence, and the search takes longer.
+  /// Factor on a depth: upper limit of the error of an approximate depth (by few points, outlines
+  /// or sketches). A descent by outlines, or on sketches with all points, is given up if it will
+  /// end above this times the best depth (by few points: above the best depth itself); so is an
+  /// overlap that is pushed further than that (PushApart). An end above it gets no exact descent.
+  /// (A descent will end above a depth if it is still a tenth above it: `hopeless` of the
+  /// descents.) If descents of the bodies end deeper than this times those of the sketches, the
+  /// sketches lack features that hold the bodies (on depths.csv they end within 0.9 to 1.15 of it,
+  /// but 1.7 to 5 times as deep between a solid and a thin surface); then the sketches are no
+  /// evidence, and the search takes longer.
   double rough_error = 1.2;
 
-  // Balls in which random poses are looked for
+  // Balls in which random poses are drawn
   double smallest_ball = 5e-3;  ///< R: the first ball about the device pose
-  /// In R, or for balls of about the best depth in these: a free pose is not looked for further
-  /// out.
+  /// Largest ball in which a free pose is searched for: in R, or, for balls sized by the best
+  /// depth, in multiples of that.
   double largest_ball = 4;
-  double ball_growth = 1.4;  ///< of a ball that had no free pose to the next
-  /// Random poses tried in a ball until one is free, random axes tried until one is near enough,
-  /// and in a search for PD_t random overlaps of which the least is pushed apart.
+  double ball_growth = 1.4;  ///< factor from a ball without a free pose to the next one
+  /// Number of tries: of random poses in a ball until one is free, of random axes until one is near
+  /// enough, and in a search for PD_t of random overlaps, of which the least is pushed apart.
   int tries_in_a_ball = 12;
   /// Times the best depth: least and largest radius of the balls of far starts. (A ball of the best
   /// depth itself mostly has no free pose, and grows.)
@@ -71,11 +72,11 @@ struct SearchTuning {
   // Starts on sketches, of some 0.05 ms each
   /// At first, starts are made until `clear` of those about as far away as the best depth have
   /// independently reached the best end, or `most_first_sketches` are made; then their number is
-  /// doubled up to `most_sketches` as long as it is unclear which end is the best. That starts near
-  /// the device pose agree shows only that a wide way leads out there. (When 8 of any starts
-  /// sufficed, and 4 if no other end was within 1.08 times the best depth, 8 % of 400 searches of a
-  /// brick and a bar that are sunk by their radius into a block were over 1 % too deep, and 3.5 %
-  /// over 5 %; now 2.0 and 0.3 %.)
+  /// doubled up to `most_sketches` as long as it is unclear which end is the best. Agreement of
+  /// starts near the device pose shows only that a wide passage leads out there. (When 8 of any
+  /// starts sufficed, and 4 if no other end was within 1.08 times the best depth, 8 % of 400
+  /// searches of a brick and a bar that are sunk by their radius into a block were over 1 % too
+  /// deep, and 3.5 % over 5 %; now 2.0 and 0.3 %.)
   int clear = 8;
   int most_first_sketches = 64;
   int most_sketches = 256;

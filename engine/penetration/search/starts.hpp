@@ -57,8 +57,8 @@ class Starts {
   /// As push_apart_and_descend(), from a random overlap within `radius`, m.
   LocalOptimum push_apart_within(double radius, Random& random, const Aim& aim, std::size_t lane);
   /// The same from a translation: of some random ones within `radius`, m, that at which the
-  /// sketches overlap least. Most of these lie in a cavity, or beside one, if there is any:
-  /// elsewhere within the best depth there is no room. Requires sketches.
+  /// sketches overlap least. If there is a cavity, most of these lie in it or beside it: elsewhere
+  /// within the best depth there is no room. Requires sketches.
   LocalOptimum push_least_overlap_apart(double radius, Random& random, const Aim& aim,
                                         std::size_t lane);
   /// An overlap in which a principal axis of the probe lies along one of the fixed body, and
@@ -76,10 +76,9 @@ class Starts {
   LocalOptimum descend_near_end(const Vec6& end, Random random, const Aim& aim, std::size_t lane);
   /// The k-th start of a round of random starts. Most start near the best ends, because where there
   /// are many, the better ones lie together. Of the others, in a search for PD_g with sketches, two
-  /// start from a fitted() overlap. The rest start from a random free pose of a ball of 0.75
-  /// to 1.5 times the best depth so far, or a larger one, or if both bodies are solids, in every
-  /// other round
-  /// (`turn`), from a random overlap.
+  /// start from a fitted() overlap. The rest start from a random free pose in a ball of 0.75 to 1.5
+  /// times the best depth so far, or in a larger one; if both bodies are solids, in every other
+  /// round (`turn`) from a random overlap.
   static constexpr std::size_t per_round = 8;
   LocalOptimum descend_in_round(std::size_t turn, std::size_t k, const std::vector<Vec6>& ends,
                                 Random random, const Aim& aim, std::size_t lane);
@@ -92,9 +91,11 @@ class Starts {
     return {aim.steps, beat, before_};
   }
   SearchWorker::Limits limits(const Aim& aim) const { return limits(aim, aim.beat); }
-  /// Of the poses `placed` by a spin and two shifts across an axis (each in m; the spin as the way
-  /// of a point at the probe's radius), one at which the sketches overlap little: the best spin at
-  /// no shift, improved one coordinate at a time, down to half a cell of the sketches.
+  /// A pose at which the sketches overlap little, among those that `placed` returns for a spin
+  /// about an axis and two shifts across it (each in m; the spin as the displacement of a point at
+  /// the probe's radius). It is the best spin without a shift, improved one coordinate at a time,
+  /// with steps down to half a cell of the sketches. `placed` returns no value for a pose that is
+  /// too far away.
   std::optional<Fit> least_overlap(const std::function<std::optional<Vec6>(const Vec3&)>& placed,
                                    std::size_t lane);
   std::optional<Vec6> first_free_beyond(const Vec6& end, Method method, std::size_t lane) const;

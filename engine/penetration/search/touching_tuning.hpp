@@ -14,9 +14,9 @@ struct TouchingTuning {
   /// without a search. It is at least the clearance that an answer of no depth may keep
   /// (allowed_clearance, 1e-9 R). An answer below it cannot be distinguished from one of depth 0.
   double level_in_roundings = 64;
-  /// In the same rounding errors: gaps that are tried in turn. The first is well above what
-  /// coordinates lose when the pose is rounded; the second, if that is not free, is what a descent
-  /// keeps at least, and from which a follower starts.
+  /// In the same rounding errors: gaps that the answer's contacts get, tried in turn until its pose
+  /// is free. The first is well above the error of coordinates when the pose is rounded. The second
+  /// is the least gap that a descent keeps; the coherent solver starts with it (lifted_off).
   double gaps[2] = {1, 16};
   /// In levels: pairs within this distance may become obstacles. The answer to a touch moves no
   /// point of the probe further, except a point far beyond the others (a needle).

@@ -9,8 +9,8 @@
 namespace sonde {
 namespace {
 
-/// True of a pair at a pose or of its exchange, as the bodies decide, or the pose if they are
-/// alike.
+/// True for a pair at a pose or for its exchange, and for both only if nothing distinguishes them:
+/// decided by the bodies, or by the pose if the bodies are alike.
 bool is_in_order(const Pair& pair, const Pose& device) {
   const auto key = [](const Body& body, const Vec3& p) {
     return std::tuple(surface(body).triangles.size(), body.mass.measure, body.mass.radius, p.x(),
@@ -19,8 +19,8 @@ bool is_in_order(const Pair& pair, const Pose& device) {
   return key(pair.probe(), device.p) <= key(pair.fixed(), inverse(device).p);
 }
 
-/// Whether the first of the two searches is enough. An answer of nearly no depth may stand off by
-/// more than its usual share of it; then the other may come nearer.
+/// Whether the first of the two searches is enough. An answer of almost no depth may keep a gap
+/// that is a large share of it; the second search may then come nearer.
 bool is_enough(const Search& search, const Separation& found, const Body& probe) {
   return found.status == Status::penetrating && search.is_settled() &&
          allowed_clearance(probe.mass.radius, found.depth) <= 1e-4 * found.depth;

@@ -11,7 +11,7 @@ namespace sonde {
 /// Share of the probe's radius: if coordinates are rounded by more, contacts are meaningless.
 inline constexpr double largest_rounding = 0.01;
 
-/// Whether the probe is free at a pose; or the reason why that cannot be told.
+/// Whether the probe is free at a pose, or the reason why that cannot be decided.
 struct FreeTest {
   bool free = false;
   const char* fault = nullptr;

@@ -9,11 +9,11 @@ namespace sonde {
 
 struct MassProperties;
 
-/// The images of a separated pose that would be separated too if a body were the same after a part
-/// of a turn, as bits, plugs, gears and bolts are: the probe is turned by m/n of a round, for every
-/// n up to 12, about each principal axis of either body, through its centre of mass. A finer
-/// symmetry has images so close together that a descent goes from one to the next. Whether an image
-/// is free has to be tested, since most bodies have none of these symmetries.
+/// The images of a separated pose under possible rotational symmetries of the bodies (bits, plugs,
+/// gears and bolts have such symmetries): the probe is turned by m/n of a round, for every n up to
+/// 12, about each principal axis of either body, through its centre of mass. A finer symmetry has
+/// images so close together that a descent goes from one to the next. The caller must test whether
+/// an image is free, since most bodies have none of these symmetries.
 /// @param chart of the device pose, with the probe's mass properties
 /// @param fixed the fixed body's mass properties
 /// @param end y of the separated pose

@@ -19,7 +19,7 @@
 namespace sonde {
 namespace {
 
-/// Next to a point of a triangle, by at most `away` (m) into it: on none of its edges.
+/// A point at most `away` (m) from x, inside the triangle and on none of its edges.
 Vec3 next_to(const Vec3& x, const Corners& t, double away) {
   const Vec3 way = wall_center(t) - x;
   const double length = way.norm();
@@ -34,7 +34,7 @@ class OutsideSearch {
     queue_.insert({0, Entry::Kind::box, 0});
   }
 
-  /// None if everything is covered, which no solid is but for rounding.
+  /// No value if everything is covered, which only rounding can cause.
   std::optional<NearestPoint> run() {
     while (!queue_.empty()) {
       const Entry e = *queue_.begin();
@@ -85,8 +85,8 @@ class OutsideSearch {
     }
   }
 
-  /// What a covered piece is cut along: the nearest place at which another triangle meets it. If
-  /// none does, all of it is covered.
+  /// Cuts a covered piece along the line, nearest to x, in which another triangle meets it. If
+  /// there is none, all of the piece is covered.
   void cut(const WallPiece& piece) {
     const WallCrossing* nearest = nullptr;
     double least = std::numeric_limits<double>::infinity();
@@ -128,7 +128,7 @@ class OutsideSearch {
   Vec3 x_;
   PointFrame frame_;
   double tolerance_;       // m
-  std::set<Entry> queue_;  // the nearest first; of those that are as near, in one order
+  std::set<Entry> queue_;  // the nearest first; equal distances in a fixed order
   std::deque<WallPiece> pieces_;
   std::unordered_map<std::uint32_t, std::vector<WallCrossing>> crossings_;
 };

@@ -18,7 +18,7 @@ struct GapField {
 struct GapOptions {
   double reach = 0;           ///< m; parts further from the other body are left out
   double cell = 0;            ///< m; largest edge of the patch, while there is room
-  std::size_t most = 60'000;  ///< limit of the patch's triangles; at the limit it is cut no finer
+  std::size_t most = 60'000;  ///< limit of the triangles of the patch; may leave edges longer
 };
 
 /// X_OM is the pose of the body's mesh frame in the other's. Empty if `stop` returns true

@@ -23,8 +23,7 @@ std::optional<RayHit> ray_hit(const Soup& soup, const Vec3& from, const Vec3& di
                               const std::function<bool(const Vec3&)>& counts = {});
 
 /// The first point at which a ray meets a body's surface (triangles of surface(body)), from either
-/// side, with its tree. What lies within the material (is_covered) is passed through. Never
-/// allocates.
+/// side, with its tree. Triangles within the material (is_covered) do not count. Never allocates.
 std::optional<RayHit> first_hit(const Body& body, const Vec3& from, const Vec3& direction);
 
 }  // namespace sonde

@@ -100,7 +100,7 @@ double WallPiece::distance_to(const WallCrossing& crossing, double tolerance) co
     low = std::min(low, side), high = std::max(high, side);
   }
   if (!(low < -tolerance && high > tolerance)) return never;
-  // What of the line is deeper within all edges than the tolerance.
+  // The part of the line that is inside all edges by more than the tolerance.
   double begin = 0, end = line.length;
   for (std::size_t i = 0; i < corners_.size(); ++i) {
     const Vec2 &a = corners_[i], &b = corners_[(i + 1) % corners_.size()];

@@ -20,8 +20,8 @@ Vec3 wall_center(const Corners& wall);
 double wall_radius(const Corners& wall);
 
 /// Adds the lines at which another triangle meets the plane of a wall, near the wall: where it
-/// passes through, its side that lies in the plane, or all its sides. What is within `tolerance`
-/// (m) of the plane lies in it.
+/// passes through, its side that lies in the plane, or all its sides. Points within `tolerance` (m)
+/// of the plane count as in it.
 void add_crossings(const Corners& wall, const Corners& other, double tolerance,
                    std::vector<WallCrossing>& out);
 
@@ -33,10 +33,10 @@ class WallPiece {
   std::uint32_t triangle() const { return triangle_; }
   double distance() const { return distance_; }  ///< m, from the point
   Vec3 nearest() const { return at(nearest_); }  ///< the point of it that is nearest
-  /// Next to that, by at most `away` (m) into the piece: it lies on no edge.
+  /// A point at most `away` (m) from nearest(), inside the piece, on none of its edges.
   Vec3 nearest_within(double away) const;
 
-  /// m: how far in the plane its nearest point is from a line; infinite if the line does not cross
+  /// m: distance in the plane from its nearest point to a line; infinite if the line does not cross
   /// its interior by more than `tolerance` (m).
   double distance_to(const WallCrossing& line, double tolerance) const;
   /// The two parts of it on either side of a line that crosses its interior.
@@ -60,8 +60,8 @@ class WallPiece {
   std::uint32_t triangle_;
   Vec3 origin_;
   Eigen::Matrix<double, 3, 2> axes_;  // of the plane, unit
-  Vec2 from_;                         // the point that looks, seen along the normal
-  double height_;                     // m: of that point
+  Vec2 from_;                         // the query point, projected onto the plane
+  double height_;                     // m: of the query point over the plane
   std::vector<Vec2> corners_;         // anticlockwise
   Vec2 nearest_;
   double distance_ = 0;

@@ -25,10 +25,10 @@ inline Vec3 vec3(const Quad& x) { return Vec3(x[0], x[1], x[2]); }
 class DistanceField {
  public:
   explicit DistanceField(const Body& solid);
-  /// The field of no solid: every point is far away.
+  /// The field of a body without an inside: every point is far away.
   DistanceField();
 
-  /// All the data of a field, for storage. The field of no solid has no nodes.
+  /// All the data of a field, for storage. There are no nodes if the body has no inside.
   struct Parts {
     Quad low{}, high{};
     IntX4 count{};

@@ -33,11 +33,11 @@ Sweep sweep(const Body& probe, const Body& fixed, const Motion& motion, double c
             Effort& effort);
 Sweep sweep(const Body& probe, const Body& fixed, const Motion& motion, double clearance);
 
-/// The same for a clearance that is to hold without exception, from the start on: on [0,
-/// free_until] the bodies are apart by at least the clearance. A hit is where they are nearer than
-/// that by some 1e-4 of it more; a start that is gives free_until = 0. Only a pair of triangles
-/// whose bounds converge too slowly stops the path earlier. A clearance that the bodies nearly have
-/// over a long way takes more work than a small one.
+/// The same, but the clearance holds for all pairs, from the start on: on [0, free_until] the
+/// bodies are apart by at least the clearance. The path stops where their distance is within some
+/// 1e-4 of the clearance; if it is less than the clearance at the start, free_until is 0. A pair of
+/// triangles whose bounds converge too slowly may stop it earlier. If the distance stays close to
+/// the clearance over a long path, the sweep takes more work.
 Sweep sweep_within_room(const Body& probe, const Body& fixed, const Motion& motion,
                         double clearance, Effort& effort);
 

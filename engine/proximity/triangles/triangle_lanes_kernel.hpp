@@ -64,7 +64,7 @@ struct Pairs {
   Triangle a, b;
   Vector r[3][3];
 
-  void set_ways() {
+  void set_differences() {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) r[i][j] = a.v[i] - b.v[j];
   }
@@ -292,7 +292,7 @@ inline Vector square_to(Vector n, const Triangle& t, int edge) {
   Pairs p;
   p.a.load(pairs.a, first), p.b.load(pairs.b, first);
   p.a.turn(), p.b.turn();
-  p.set_ways();
+  p.set_differences();
   Face a, b;
   set_faces(p, a, b);
   const Vector nearest = best.normal;
@@ -359,7 +359,7 @@ inline void one_pass(const TrianglePairs8& pairs, int first, int count, double l
   Mask beyond = far_apart(p.a, p.b, r00, reach2) | (lane_numbers() >= broadcast(count - first));
   if (!any(~beyond)) return store(out.distance + first, broadcast(infinity));
   p.a.turn(), p.b.turn();
-  p.set_ways();
+  p.set_differences();
   Face a, b;
   set_faces(p, a, b);
   beyond |= a.beyond(reach2) | b.beyond(reach2);
