@@ -12,7 +12,7 @@
 #include "engine/penetration/contact/face_overlap.hpp"
 #include "engine/penetration/contact/separating_axes.hpp"
 #include "engine/proximity/queries/placement.hpp"
-#include "engine/proximity/queries/triangle_batch.hpp"
+#include "engine/proximity/triangles/triangle_pair.hpp"
 
 namespace sonde {
 
@@ -29,13 +29,14 @@ ContactRows::ContactRows(const Body& probe, const Body& fixed, Method method,
       at_(capacity),
       violations_(contact_tuning.most_cut),
       pair_of_(capacity),
-      kept_(contact_tuning.most_kept),
+      kept_(probe, fixed),
       reach_limit_(probe.mass.radius) {}
 
 void ContactRows::forget() noexcept {
   lists_.forget();
   gathered_ = rim_ = false;
-  count_ = kept_count_ = 0;
+  kept_.forget();
+  count_ = 0;
   reach_limit_ = probe_.mass.radius;
 }
 
@@ -43,41 +44,6 @@ void ContactRows::accept(const Contact& contact, const TrianglePair& of) noexcep
   if (count_ == capacity) return;
   pair_of_[count_] = of;
   contacts_[count_++] = contact;
-}
-
-void ContactRows::remember(const TrianglePair& pair) noexcept {
-  const auto begin = kept_.begin(), end = begin + static_cast<std::ptrdiff_t>(kept_count_);
-  const auto found = std::find(begin, end, pair);
-  if (found != end)
-    std::rotate(found, found + 1, end);
-  else if (kept_count_ < contact_tuning.most_kept)
-    kept_[kept_count_++] = pair;
-  else
-    std::rotate(begin, begin + 1, end), kept_.back() = pair;
-}
-
-std::size_t ContactRows::add_kept(const Transform& X, double reach, std::size_t count) noexcept {
-  TriangleBatch batch(probe_, fixed_, X);
-  std::size_t left = 0;
-  const auto look = [&] {
-    batch.flush(reach, [&](const TriangleBatch::Pair& pair, int k, const ClosestPoints8& points) {
-      if (!(points.distance[k] > 0) || points.distance[k] > reach) return;
-      kept_[left++] = {pair.i, pair.j};
-      const NearPair near = near_pair(pair, k, points);
-      const auto first = pairs_.begin(), last = first + static_cast<std::ptrdiff_t>(count);
-      const bool known = std::any_of(first, last, [&](const NearPair& p) {
-        return p.triangle_a == near.triangle_a && p.triangle_b == near.triangle_b;
-      });
-      if (!known) pairs_[count++] = near;
-    });
-  };
-  for (std::size_t i = 0; i < kept_count_; ++i) {
-    batch.add(kept_[i].a, kept_[i].b);
-    if (batch.full()) look();
-  }
-  look();
-  kept_count_ = left;
-  return count;
 }
 
 bool ContactRows::is_news(const Contact& contact) const noexcept {
@@ -207,7 +173,8 @@ void ContactRows::make_rows(const NearPairs& near, double reach, const Chart& ch
   X_ = X;
   turn_ = std::max(contact_tuning.turn_per_reach * reach_ / probe_.mass.radius,
                    2 * lists_.recent_turn());
-  const std::span<NearPair> pairs(pairs_.data(), add_kept(X, std::max(asked_, reach), near.count));
+  const std::span<NearPair> pairs(pairs_.data(),
+                                  kept_.add_to(pairs_, near.count, X, std::max(asked_, reach)));
   ordering::sort(pairs.begin(), pairs.end(), [](const NearPair& p, const NearPair& q) {
     if (p.gap != q.gap) return p.gap < q.gap;
     return std::pair(p.triangle_a, p.triangle_b) < std::pair(q.triangle_a, q.triangle_b);
@@ -352,7 +319,7 @@ ContactRows::PathCheck ContactRows::add_cuts(const Chart& chart, const Vec6& y,
     out.clear = false;
     out.lost = std::max(out.lost, std::min(p.gap, margin) - gap);
     smallest_gap_ = std::min(smallest_gap_, p.gap);
-    remember({a, b});
+    kept_.keep({a, b});
     add_rows_of({p.a, p.b, p.normal, p.gap, a, b}, X_, infinity, &end);
   }
   linearise(chart, y, before);
@@ -424,7 +391,7 @@ LeastDistance ContactRows::solve(double margin, SmallGaps small_gaps, double ris
       least_distance({rows_.data(), count_ + rim_}, contact_tuning.solved_to * margin);
   for (std::size_t i = 0; i < static_cast<std::size_t>(nearest.active_count); ++i)
     if (const auto row = static_cast<std::size_t>(nearest.active[i]); row < count_)
-      remember(pair_of_[row]);
+      kept_.keep(pair_of_[row]);
   return nearest;
 }
 

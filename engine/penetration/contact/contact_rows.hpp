@@ -8,6 +8,7 @@
 #include "engine/geometry/chart.hpp"
 #include "engine/geometry/transform.hpp"
 #include "engine/penetration/contact/contact_tuning.hpp"
+#include "engine/penetration/contact/kept_pairs.hpp"
 #include "engine/penetration/contact/least_distance.hpp"
 #include "engine/penetration/contact/pair_lists.hpp"
 #include "engine/penetration/contact/separation.hpp"
@@ -153,10 +154,6 @@ class ContactRows {
   /// Makes the rows of the pairs found at y, and of those kept from before within `reach` (m).
   void make_rows(const NearPairs& near, double reach, const Chart& chart, const Vec6& y,
                  double flat, Effort& effort) noexcept;
-  struct TrianglePair {
-    std::uint32_t a, b;
-    bool operator==(const TrianglePair&) const = default;
-  };
   /// The point, in the probe's mesh frame, about which motions are measured: the mean of the last
   /// contacts or the centre of mass, whichever gives the smaller bounds of the contacts' motion on
   /// the recent course. It is the mean if the probe rolls on the contacts, the centre of mass if
@@ -169,10 +166,6 @@ class ContactRows {
   /// reach is used.
   NearPairs find_pairs(const Transform& X, double reach, double least, Effort& effort) noexcept;
   void accept(const Contact& contact, const TrianglePair& of) noexcept;
-  void remember(const TrianglePair& pair) noexcept;
-  /// Appends the kept pairs within `reach` (m) at X to the first `count` pairs of `pairs_`, and
-  /// forgets the other kept pairs. Returns the number of pairs with the new ones.
-  std::size_t add_kept(const Transform& X, double reach, std::size_t count) noexcept;
   bool is_news(const Contact& contact) const noexcept;
   /// The part of a row that the method allows.
   Vec6 allowed(Vec6 row) const noexcept;
@@ -199,10 +192,7 @@ class ContactRows {
   std::vector<double> at_;  // J·y of each row
   std::vector<Violation> violations_;
   std::vector<TrianglePair> pair_of_;  // of each row
-  /// Pairs that were active in a solution or obstructed a step, the newest last. Every gather
-  /// examines them, however many other pairs are as near.
-  std::vector<TrianglePair> kept_;
-  std::size_t kept_count_ = 0;
+  KeptPairs kept_;
   std::size_t count_ = 0;
   // m: limit of the reach of a gather. It falls after a gather that found more pairs than there is
   // room for, and grows again from gather to gather.
