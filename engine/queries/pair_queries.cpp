@@ -3,34 +3,19 @@
 
 #include "engine/base/round_to_nearest.hpp"
 #include "engine/body/body.hpp"
-#include "engine/penetration/descent/result.hpp"
 #include "engine/penetration/search/clearance_of.hpp"
 #include "engine/penetration/search/trivial_separation.hpp"
 #include "engine/proximity/queries/inside.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/sweep/sweep.hpp"
 #include "engine/proximity/triangles/triangle_pair.hpp"
+#include "engine/queries/checked_pose.hpp"
 
 namespace sonde {
 namespace {
 
 /// R: the gap at the end of a swept path; larger than the rounding of poses of the probe's size.
 constexpr double kept_gap = 1e-9;
-
-/// m: beyond it the square of a motion's length may not be finite.
-constexpr double furthest = 1e150;
-
-Pose checked(const Pose& X) {
-  if (const char* fault = fault_of(X)) throw InputError(fault);
-  return {X.q.normalized(), X.p};
-}
-
-Pose checked_within_reach(const Pose& X) {
-  Pose out = checked(X);
-  if (X.p.cwiseAbs().maxCoeff() > furthest)
-    throw InputError("the pose is too far from the origin to compute with");
-  return out;
-}
 
 /// @pre The pose is checked.
 bool meet(const Pair& pair, const Pose& X) {
@@ -56,12 +41,12 @@ Contact contact_of(const Body& probe, const Body& fixed, const Pose& X_FM, const
 
 bool touch(const Pair& pair, const Pose& X_FM) {
   const RoundToNearest round_to_nearest;
-  return meet(pair, checked(X_FM));
+  return meet(pair, checked_pose(X_FM));
 }
 
 Clearance distance(const Pair& pair, const Pose& X_FM) {
   const RoundToNearest round_to_nearest;
-  const Pose X = checked(X_FM);
+  const Pose X = checked_pose(X_FM);
   const Body &probe = pair.probe(), &fixed = pair.fixed();
   // If rounding is large, the exact test decides first whether a distance means anything.
   const double rounding = rounding_guard(extent(probe), extent(fixed), X.p);
@@ -76,7 +61,7 @@ Clearance distance(const Pair& pair, const Pose& X_FM) {
 
 SweptPath sweep(const Pair& pair, const Pose& X0_FM, const Pose& X1_FM) {
   const RoundToNearest round_to_nearest;
-  const Pose from = checked_within_reach(X0_FM), to = checked_within_reach(X1_FM);
+  const Pose from = checked_pose_of_motion(X0_FM), to = checked_pose_of_motion(X1_FM);
   SweptPath out;
   out.X_FM = from;
   if (meet(pair, from)) {
@@ -92,7 +77,7 @@ SweptPath sweep(const Pair& pair, const Pose& X0_FM, const Pose& X1_FM) {
   if (!out.hit) return out;
   // Far out, the path is so rough that any obstacle may be rounding.
   const Vec3 farthest = from.p.cwiseAbs().cwiseMax(to.p.cwiseAbs());
-  if (rounding_guard(extent(probe), extent(fixed), farthest) > largest_rounding * probe.mass.radius)
+  if (is_rough(probe, fixed, farthest))
     throw InputError("the motion leads too far from the origin for the size of the probe");
   out.contact = contact_of(probe, fixed, out.X_FM, swept);
   return out;

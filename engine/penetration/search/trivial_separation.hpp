@@ -8,8 +8,9 @@
 
 namespace sonde {
 
-/// Share of the probe's radius: if coordinates are rounded by more, contacts are meaningless.
-inline constexpr double largest_rounding = 0.01;
+/// Whether contacts are meaningless where coordinates of the probe's mesh origin are as large as
+/// those of `farthest` (m, F): they are rounded by more than 1 % of the probe's radius.
+bool is_rough(const Body& probe, const Body& fixed, const Vec3& farthest) noexcept;
 
 /// Whether the probe is free at a pose, or the reason why that cannot be decided.
 struct FreeTest {

@@ -8,12 +8,12 @@
 #include "engine/base/progress.hpp"
 #include "engine/base/round_to_nearest.hpp"
 #include "engine/body/body.hpp"
-#include "engine/penetration/descent/result.hpp"
 #include "engine/penetration/search/trivial_separation.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/sweep/motion.hpp"
 #include "engine/proximity/sweep/sweep.hpp"
 #include "engine/proximity/triangles/triangle_pair.hpp"
+#include "engine/queries/checked_pose.hpp"
 #include "engine/queries/pair_queries.hpp"
 #include "engine/study/assembly/insertion.hpp"
 #include "engine/study/assembly/sweep_slices.hpp"
@@ -21,25 +21,10 @@
 namespace sonde {
 namespace {
 
-constexpr double kept_of_radius = 1e-9;   // the gap at which a sweep stops
-constexpr double aimed_at = 1e-9;         // of the travel: the tolerance
-constexpr double farthest_place = 1e150;  // m: the square of a longer way may not be finite
+constexpr double kept_of_radius = 1e-9;  // the gap at which a sweep stops
+constexpr double aimed_at = 1e-9;        // of the travel: the tolerance
 /// Sweeps at one obstacle; some 30 halve the gap down to rounding.
 constexpr int most_rounds = 100;
-
-Pose checked_place(const Pose& X) {
-  if (const char* fault = fault_of(X)) throw InputError(fault);
-  if (X.p.cwiseAbs().maxCoeff() > farthest_place)
-    throw InputError("the pose is too far from the origin to compute with");
-  return {X.q.normalized(), X.p};
-}
-
-/// Whether rounding is too large for the probe's size, that far from the origin.
-bool is_rough(const Pair& pair, const Vec3& farthest) {
-  const Body& probe = pair.probe();
-  return !(rounding_guard(extent(probe), extent(pair.fixed()), farthest) <=
-           largest_rounding * probe.mass.radius);
-}
 
 /// One piece of a path, from one of its poses to the next. Places on it are parts of it, 0 to 1.
 class PieceSearch {
@@ -132,7 +117,7 @@ class PieceSearch {
 
   /// Far out, the path is so rough that any obstacle may be rounding.
   void refuse_rounding() const {
-    if (is_rough(pair_, from_.p.cwiseAbs().cwiseMax(to_.p.cwiseAbs())))
+    if (is_rough(pair_.probe(), pair_.fixed(), from_.p.cwiseAbs().cwiseMax(to_.p.cwiseAbs())))
       throw InputError("the way leads too far from the origin for the size of the probe");
   }
 
@@ -173,7 +158,7 @@ void check_start(const Pair& pair, const InsertionPath& way) {
 
 void check_way(const Pair& pair, const InsertionPath& way, const Progress& progress) {
   check_start(pair, way);
-  const auto leads_far = [&](const Pose& X) { return is_rough(pair, X.p.cwiseAbs()); };
+  const auto leads_far = [&](const Pose& X) { return is_rough(pair.probe(), pair.fixed(), X.p); };
   if (std::ranges::any_of(way.poses, leads_far)) first_contact(pair, way, progress);
 }
 
@@ -184,8 +169,8 @@ std::optional<FirstContact> first_contact(const Pair& pair, const InsertionPath&
   const double all = way.travel.back();
   for (std::size_t i = 0; i + 1 < way.poses.size(); ++i) {
     const double begin = way.travel[i], end = way.travel[i + 1], length = end - begin;
-    PieceSearch piece(pair, checked_place(way.poses[i]), checked_place(way.poses[i + 1]), length,
-                      aimed_at * all);
+    PieceSearch piece(pair, checked_pose_of_motion(way.poses[i]),
+                      checked_pose_of_motion(way.poses[i + 1]), length, aimed_at * all);
     if (!piece.run(part_of(progress, begin / all, end / all))) continue;
     FirstContact out{begin + piece.free() * length, piece.pose(), piece.contact(), 0};
     out.tolerance = piece.touching() <= 1 ? (piece.touching() - piece.free()) * length

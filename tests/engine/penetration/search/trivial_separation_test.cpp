@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "tests/support/pairs.hpp"
@@ -52,6 +53,17 @@ TEST(WithoutSearch, far_poses_are_separated_or_refused) {
   const Separation refused = trivial_separation(*cube, *far, away).value();
   EXPECT_EQ(refused.status, Status::failed);
   EXPECT_STRNE(refused.reason, "");
+}
+
+// Reference: by hand, 64 ε (extents + largest coordinate) against 1 % of half the cube's diagonal.
+TEST(WithoutSearch, coordinates_are_rough_where_they_are_rounded_by_a_hundredth_of_the_probe) {
+  const auto cube = test::body(test::box({1, 1, 1})), block = test::body(test::box({6, 6, 6}));
+  const double limit = 0.01 * std::sqrt(0.75) / (64 * 0x1p-52) - 0.5 - 3;
+  for (const double sign : {-1, 1}) {
+    EXPECT_FALSE(is_rough(*cube, *block, Vec3(0, 0.999 * sign * limit, 0)));
+    EXPECT_TRUE(is_rough(*cube, *block, Vec3(0, 0, 1.001 * sign * limit)));
+  }
+  EXPECT_FALSE(is_rough(*block, *cube, Vec3(1.001 * limit, 0, 0))) << "a larger probe";
 }
 
 }  // namespace
