@@ -8,12 +8,16 @@
 #include <stdexcept>
 
 #include "engine/queries/pose_numbers.hpp"
-#include "engine/scene/scene.hpp"
+#include "engine/settings/device_settings_file.hpp"
+#include "engine/settings/json_settings.hpp"
 #include "engine/settings/settings.hpp"
+#include "engine/text/file_unit.hpp"
 #include "engine/text/number_text.hpp"
 
 namespace sonde {
 namespace {
+
+using Keys = SceneReader::Keys;
 
 constexpr int newest_format = 1;  // of scenes
 
@@ -24,17 +28,64 @@ bool is_colour(const std::string& text) {
          text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
 }
 
-}  // namespace
-
-const SceneReader::Keys& body_keys() {
-  static const SceneReader::Keys keys{"mesh", "model", "repair", "scale", "pose", "components"};
+// The keys of each object of a scene; "$schema" is for editors with completion and validation.
+const Keys& scene_object_keys() {
+  static const Keys keys{"$schema", "format",     "unit",     "probe",  "fixed", "allowance",
+                         "safety",  "trajectory", "coupling", "device", "servo", "view"};
+  return keys;
+}
+Keys coupling_keys() {
+  Keys keys = keys_of(coupling_settings());
+  keys.insert(keys.begin(), "mode");
+  return keys;
+}
+/// A scene's `device` has the device settings, and may name a profile.
+Keys device_keys() {
+  Keys keys = device_settings_keys();
+  keys.insert(keys.begin(), "profile");
   return keys;
 }
 
-const SceneReader::Keys& part_keys() {
-  static const SceneReader::Keys keys{"name",   "mesh",  "model", "repair",    "scale",     "pose",
-                                      "colour", "shown", "felt",  "component", "components"};
+const Keys& body_keys() {
+  static const Keys keys{"mesh", "model", "repair", "scale", "pose", "components"};
   return keys;
+}
+
+const Keys& part_keys() {
+  static const Keys keys{"name",   "mesh",  "model", "repair",    "scale",     "pose",
+                         "colour", "shown", "felt",  "component", "components"};
+  return keys;
+}
+
+}  // namespace
+
+Scene SceneReader::scene(const std::string& text) const {
+  const JsonNode root = parse_json(file.string(), text);
+  Scene scene;
+  scene.format = format(root);  // first: a newer format may have unknown keys
+  expect_object(root, scene_object_keys());
+  scene.file = file;
+  scene.name = name_of_scene(file);
+  if (const JsonNode* given = root.find("$schema")) {
+    expect(*given, Kind::string);
+    scene.schema = given->text;
+  }
+  if (const JsonNode* given = root.find("unit")) scene.unit = unit(*given);
+  scene.probe = body(need(root, "probe"), scene.unit);
+  scene.fixed = body(need(root, "fixed"), scene.unit);
+  scene.probe.offset = offset(root, scene.unit);
+  if (const JsonNode* given = root.find("trajectory")) {
+    scene.trajectory = path(*given);
+    scene.trajectory_line = given->line;
+  }
+  if (const JsonNode* given = root.find("coupling")) scene.coupling = coupling_or_path(*given);
+  if (const JsonNode* given = root.find("servo")) scene.servo = servo(*given);
+  if (const JsonNode* given = root.find("device")) scene.device = device(*given);
+  if (const JsonNode* given = root.find("view")) {
+    expect(*given, Kind::object);
+    scene.view = text.substr(given->begin, given->end - given->begin);
+  }
+  return scene;
 }
 
 void SceneReader::fail(std::size_t line, const std::string& reason) const {
@@ -116,7 +167,6 @@ SceneBody SceneReader::body(const JsonNode& node, double unit) const {
   return whole;
 }
 
-/// Reads the keys that only parts have.
 void SceneReader::read_part(const JsonNode& node, SceneBody& part) const {
   if (const JsonNode* name = node.find("name")) {
     expect(*name, Kind::string);
@@ -197,6 +247,75 @@ double SceneReader::offset(const JsonNode& root, double unit) const {
     if (node->number != 0) offset = node->number * (node == allowance ? -unit : unit);
   }
   return offset;
+}
+
+double SceneReader::unit(const JsonNode& node) const {
+  expect(node, Kind::string);
+  Keys known;
+  for (const FileUnit& u : file_units()) known.push_back(u.name);
+  return choice(node, unit_in_metres(node.text), known);
+}
+
+Coupling SceneReader::coupling_or_path(const JsonNode& node) const {
+  if (node.kind != Kind::string) return coupling(node);
+  const std::filesystem::path gains = path(node);
+  if (outside) return {};
+  expect_file(file, node.line, node.key, gains);
+  return read_coupling(gains);
+}
+
+Coupling SceneReader::coupling(const JsonNode& node) const {
+  Coupling coupling;
+  expect_object(node, coupling_keys());
+  if (const JsonNode* mode = node.find("mode"))
+    coupling.mode = static_cast<Coupling::Mode>(read_choice(file, *mode, coupling_modes()));
+  read_settings(file, node, coupling_settings(), coupling);
+  return coupling;
+}
+
+ServoSettings SceneReader::servo(const JsonNode& node) const {
+  ServoSettings servo;
+  expect_object(node, keys_of(servo_settings()));
+  read_settings(file, node, servo_settings(), servo);
+  return servo;
+}
+
+std::string SceneReader::profile(const JsonNode& node) const {
+  const std::filesystem::path whole = path(node);
+  return node.text.ends_with(".json") ? whole.string() : node.text;
+}
+
+SceneDevice SceneReader::device(const JsonNode& node) const {
+  if (node.kind == Kind::string) return {.profile = profile(node), .settings = {}};
+  expect_object(node, device_keys());
+  SceneDevice device;
+  if (const JsonNode* given = node.find("profile")) device.profile = profile(*given);
+  const bool nothing_else = node.children.size() == (device.profile.empty() ? 0U : 1U);
+  if (!nothing_else) device.settings = device_settings_in(file, node);
+  return device;
+}
+
+Coupling SceneReader::coupling(const std::string& text) const {
+  return coupling(parse_json(file.string(), text));
+}
+
+std::vector<std::string> SceneReader::keys() {
+  std::vector<std::string> all;
+  const auto add = [&](std::string_view prefix, const Keys& keys) {
+    for (const std::string_view key : keys) all.push_back(std::string(prefix) + std::string(key));
+  };
+  add("", scene_object_keys());
+  add("probe.", body_keys());
+  add("fixed.", body_keys());
+  add("coupling.", coupling_keys());
+  add("device.", device_keys());
+  for (const Choice& axis : device_axes()) {
+    const std::string name = std::string("device.axes.") + axis.key;
+    all.push_back(name);
+    add(name + '.', device_axis_keys());
+  }
+  add("servo.", keys_of(servo_settings()));
+  return all;
 }
 
 }  // namespace sonde

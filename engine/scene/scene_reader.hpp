@@ -7,15 +7,15 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/scene/scene_body.hpp"
+#include "engine/scene/scene.hpp"
 #include "engine/text/json_checks.hpp"
 #include "engine/text/located_json.hpp"
 #include "engine/text/nearest.hpp"
 
 namespace sonde {
 
-/// Reads the values of one scene file, including its bodies; its errors are InputErrors with the
-/// file's name and the line. Used by scene.cpp only.
+/// Reads the text of one scene file in a single pass over its values: each is checked where it is
+/// read. Errors are InputErrors with the file's name and the line. Used by scene.cpp only.
 struct SceneReader {
   using Kind = JsonNode::Kind;
   using Keys = std::vector<std::string_view>;
@@ -25,6 +25,13 @@ struct SceneReader {
   /// Collects paths out of the folder, instead of refusing them; then no file of gains is read.
   std::vector<std::filesystem::path>* outside = nullptr;
 
+  Scene scene(const std::string& text) const;
+  /// The text of a file that holds only a scene's `coupling` object.
+  Coupling coupling(const std::string& text) const;
+  /// Every key that scene() accepts (scene_keys()).
+  static std::vector<std::string> keys();
+
+ private:
   [[noreturn]] void fail(std::size_t line, const std::string& reason) const;
   void expect(const JsonNode& node, Kind kind) const { expect_kind(file, node, kind); }
   void expect_object(const JsonNode& node, const Keys& known) const {
@@ -41,23 +48,25 @@ struct SceneReader {
                         "; the nearest known value is " + in_quotes(nearest(node.text, known)));
   }
 
-  /// The scene's `format`, if it has one.
   std::optional<int> format(const JsonNode& root) const;
+  double unit(const JsonNode& node) const;
   std::filesystem::path path(const JsonNode& node) const;
   Pose pose(const JsonNode& node, double unit) const;
   /// One mesh, or a list of meshes that belong together.
   SceneBody body(const JsonNode& node, double unit) const;
-  /// The outward offset of the probe's faces, negative inwards, m.
-  double offset(const JsonNode& root, double unit) const;
-
- private:
   SceneBody mesh(const JsonNode& node, double unit, const Keys& known) const;
+  /// Reads the keys that only parts have.
   void read_part(const JsonNode& node, SceneBody& part) const;
   void read_flag(const JsonNode& node, std::string_view key, bool& flag) const;
+  /// The outward offset of the probe's faces, negative inwards, m.
+  double offset(const JsonNode& root, double unit) const;
+  /// The gains, or the path of a file that contains them.
+  Coupling coupling_or_path(const JsonNode& node) const;
+  Coupling coupling(const JsonNode& node) const;
+  ServoSettings servo(const JsonNode& node) const;
+  /// An id is kept unchanged; a text that ends in ".json" is a path like the others.
+  std::string profile(const JsonNode& node) const;
+  SceneDevice device(const JsonNode& node) const;
 };
-
-/// The keys of a body of one mesh, and of a part of one of several.
-const SceneReader::Keys& body_keys();
-const SceneReader::Keys& part_keys();
 
 }  // namespace sonde

@@ -2,6 +2,7 @@
 #include "engine/text/json_checks.hpp"
 
 #include <algorithm>
+#include <system_error>
 
 #include "engine/base/error.hpp"
 #include "engine/text/nearest.hpp"
@@ -42,6 +43,13 @@ const JsonNode& need_key(const std::filesystem::path& file, const JsonNode& obje
             "key " + in_quotes(key) + " is missing from " +
                 (object.key.empty() ? std::string(whole) : in_quotes(object.key)));
   return *found;
+}
+
+void expect_file(const std::filesystem::path& file, std::size_t line, std::string_view key,
+                 const std::filesystem::path& named) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(named, ignored))
+    fail_at(file, line, in_quotes(key) + " names " + named.string() + ": no such file");
 }
 
 }  // namespace sonde

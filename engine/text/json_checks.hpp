@@ -30,4 +30,8 @@ void expect_keys(const std::filesystem::path& file, const JsonNode& node,
 const JsonNode& need_key(const std::filesystem::path& file, const JsonNode& object,
                          std::string_view key, std::string_view whole);
 
+/// Requires that the file `named` by a key on that line exists.
+void expect_file(const std::filesystem::path& file, std::size_t line, std::string_view key,
+                 const std::filesystem::path& named);
+
 }  // namespace sonde

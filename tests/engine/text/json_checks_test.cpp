@@ -68,5 +68,14 @@ TEST(JsonChecks, a_key_that_is_needed_is_found_or_missed_by_its_object) {
       "made-up.json:3: key \"mass\" is missing from \"inner\"");
 }
 
+TEST(JsonChecks, a_file_that_is_not_there_is_refused_at_the_line_that_names_it) {
+  const auto file = [](const std::filesystem::path& named) {
+    return failure_of([&] { expect_file(checked_file, 3, "mesh", named); });
+  };
+  EXPECT_EQ(file(std::filesystem::temp_directory_path()), "passed");
+  EXPECT_EQ(file("/none/there.off"),
+            "made-up.json:3: \"mesh\" names /none/there.off: no such file");
+}
+
 }  // namespace
 }  // namespace sonde
