@@ -44,8 +44,8 @@ std::shared_ptr<const Library> needed(
     const std::string& path, std::map<std::string, std::shared_ptr<const Library>>& known) {
   std::shared_ptr<const Library> library = loaded(known);
   if (!library)
-    throw InputError::in(path, std::string(Library::name().name) + " is not installed; " +
-                                   how_to_get(Library::name()));
+    throw InputError::in(path,
+                         std::string(Library::name().name) + " is " + why_missing(Library::name()));
   return library;
 }
 
@@ -147,7 +147,7 @@ VendorLibraryListing listing_of(std::map<std::string, std::shared_ptr<const Libr
       listing.version = library->version();
       listing.usable = true;
     } else {
-      listing.reason = "not installed; " + how_to_get(name);
+      listing.reason = why_missing(name);
     }
   } catch (const InputError& error) {
     listing.reason = error.what();

@@ -55,8 +55,9 @@ void* VendorLibrary::address_of(const char* symbol) const {
   return address;
 }
 
-std::string how_to_get(const VendorLibraryName& name) {
-  return std::string("install ") + name.name + " from " + name.source +
+std::string why_missing(const VendorLibraryName& name, bool loads) {
+  if (!loads) return "not supported: this build of Sonde loads no makers' libraries";
+  return std::string("not installed; install ") + name.name + " from " + name.source +
          ", or name its file by the environment variable " + name.variable;
 }
 

@@ -64,7 +64,8 @@ class VendorLibrary {
 /// A text from a library; null becomes "".
 inline std::string words_or_empty(const char* words) { return words ? words : ""; }
 
-/// "Get it from ...; or name its file by the variable ..."
-std::string how_to_get(const VendorLibraryName& name);
+/// Why a library that was not found cannot be used: "not installed; install it from ..., or name
+/// its file by the environment variable ...", or that this build supports none.
+std::string why_missing(const VendorLibraryName& name, bool loads = loads_shared_libraries());
 
 }  // namespace sonde

@@ -5,6 +5,9 @@
 
 namespace sonde {
 
+/// Whether this build can load libraries at all; if not, SharedLibrary always throws.
+bool loads_shared_libraries() noexcept;
+
 /// A library that is loaded while the program runs. It stays loaded until the program ends.
 class SharedLibrary {
  public:

@@ -86,6 +86,8 @@ std::string last_loader_error() {
 
 }  // namespace
 
+bool loads_shared_libraries() noexcept { return true; }
+
 SharedLibrary::SharedLibrary(const fs::path& file) {
   check_architecture(file);
   check_whole(file);

@@ -5,8 +5,11 @@
 
 namespace sonde {
 
+bool loads_shared_libraries() noexcept { return false; }
+
 SharedLibrary::SharedLibrary(const std::filesystem::path& file) {
-  throw InputError::in(file.string(), "it cannot be loaded: no makers' libraries on this system");
+  throw InputError::in(file.string(),
+                       "it cannot be loaded: this build of Sonde supports no makers' libraries");
 }
 
 void* SharedLibrary::find(const char*) const noexcept { return handle_; }

@@ -69,6 +69,15 @@ TEST_F(VendorLibraries, a_variable_that_names_nothing_says_so) {
               AllOf(HasSubstr("/none/there.so"), HasSubstr("no such file")));
 }
 
+TEST_F(VendorLibraries, one_that_is_missing_is_to_be_installed_only_where_it_could_be_loaded) {
+  EXPECT_THAT(why_missing(made_up, true),
+              AllOf(HasSubstr("not installed"), HasSubstr("install libmade-up from nowhere"),
+                    HasSubstr("SONDE_TEST_LIBRARY")));
+  EXPECT_EQ(why_missing(made_up, false),
+            "not supported: this build of Sonde loads no makers' libraries");
+  EXPECT_EQ(why_missing(made_up), why_missing(made_up, loads_shared_libraries()));
+}
+
 TEST_F(VendorLibraries, a_file_that_is_no_library_is_refused) {
   folder.write("text.so", "not a library at all, but long enough");
   folder.write("short.so",
