@@ -13,6 +13,7 @@
 #include "engine/proximity/queries/intersect.hpp"
 #include "tests/engine/penetration/overlapping_pose.hpp"
 #include "tests/engine/penetration/separation_checks.hpp"
+#include "tests/support/defects.hpp"
 #include "tests/support/pairs.hpp"
 #include "tests/support/real_meshes.hpp"
 
@@ -148,39 +149,6 @@ TEST(StaticSearch, counted_steps_leave_room_for_translations) {
   EXPECT_EQ(with, all);
 }
 
-/// The icosahedron's faces cut into 16 each, on a sphere.
-PolygonSoup icosphere(double radius) {
-  const double p = std::numbers::phi;
-  std::vector<Vec3> at;
-  for (const double x : {-1.0, 1.0})
-    for (const double y : {-p, p}) at.insert(at.end(), {{0, x, y}, {x, y, 0}, {y, 0, x}});
-  const auto add = [&](const auto& self, PolygonSoup& out, const Vec3& a, const Vec3& b,
-                       const Vec3& c, int cuts) -> void {
-    if (cuts == 0) {
-      const std::size_t n = out.points.size();
-      for (const Vec3& x : {a, b, c}) out.points.push_back(radius * x.normalized());
-      out.polygons.push_back({n, n + 1, n + 2});
-      return;
-    }
-    const Vec3 ab = (a + b).normalized(), bc = (b + c).normalized(), ca = (c + a).normalized();
-    self(self, out, a, ab, ca, cuts - 1);
-    self(self, out, ab, b, bc, cuts - 1);
-    self(self, out, ca, bc, c, cuts - 1);
-    self(self, out, ab, bc, ca, cuts - 1);
-  };
-  PolygonSoup out;
-  const auto joined = [&](std::size_t i, std::size_t j) { return (at[i] - at[j]).norm() < 2.1; };
-  for (std::size_t i = 0; i < at.size(); ++i)
-    for (std::size_t j = i + 1; j < at.size(); ++j)
-      for (std::size_t k = j + 1; k < at.size(); ++k) {
-        if (!joined(i, j) || !joined(j, k) || !joined(k, i)) continue;
-        const bool outward = at[i].dot(at[j].cross(at[k])) > 0;
-        const std::size_t second = outward ? j : k, third = outward ? k : j;
-        add(add, out, at[i].normalized(), at[second].normalized(), at[third].normalized(), 2);
-      }
-  return out;
-}
-
 // A translation is one of the answers: what a search for it alone finds with the same seed is never
 // beaten by it. One inside the other in the middle every direction is as good, but for the facets.
 // By hand: a cube of 1 m in one of 2 m leaves by 0.6 m. A budget that never runs out leaves nothing
@@ -200,7 +168,7 @@ TEST(StaticSearch, has_converged_where_its_budget_did_not_run_out) {
 }
 
 TEST(StaticSearch, is_no_deeper_than_the_translation_found_alone_among_many_as_good) {
-  const auto ball = test::body(icosphere(1)), shell = test::body(icosphere(3));
+  const auto ball = test::body(test::icosphere(1, 2)), shell = test::body(test::icosphere(3, 2));
   ASSERT_EQ(ball->soup.triangles.size(), 320U);
   const Pair bodies(ball, shell);
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
