@@ -3,13 +3,15 @@
 
 #include <algorithm>
 
+#include "engine/penetration/descent/leap_tuning.hpp"
 #include "engine/penetration/descent/refinement_tuning.hpp"
 
 namespace sonde {
 namespace {
 
-constexpr ContactRows::Finding unlisted{.most_pairs = refinement_tuning.most_pairs,
-                                        .keeps_lists = false};
+/// For the swept descent: as many pairs as the last leaps have, and no neighbour list, which would
+/// pay only for many short steps; here there are few.
+constexpr ContactRows::Finding unlisted{.most_pairs = leap_tuning.many_pairs, .keeps_lists = false};
 
 }  // namespace
 

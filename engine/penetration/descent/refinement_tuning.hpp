@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 namespace sonde {
@@ -20,9 +19,6 @@ struct RefinementTuning {
   Leaps second{1e-4, 30, 0.005};  ///< guided by many pairs
   /// Share of the time; the rest is for moving into contact.
   double share_for_leaps = 0.95;
-  /// Maximum number of pairs from which the swept descent makes rows. It uses no neighbour list,
-  /// which would pay only for many short steps; here there are few.
-  std::size_t most_pairs = 512;
   /// Maximum number of steps of the swept descent. A pose that has not converged by then (on flat
   /// parts of hundreds of triangles, where a step costs 1 ms) is not even a thousandth nearer after
   /// 60 steps. The result then says that it has not converged.

@@ -7,6 +7,7 @@
 
 #include "engine/base/ordering.hpp"
 #include "engine/base/phase_timer.hpp"
+#include "engine/penetration/descent/leap_tuning.hpp"
 #include "engine/penetration/descent/sketch_descent_tuning.hpp"
 
 namespace sonde {
@@ -203,7 +204,7 @@ SketchDescent::End SketchDescent::run(const Chart& chart, const Vec6& start, con
     }
     if (out.steps >= goal.steps) return out;
     if (out.steps >= sketch_descent_tuning.steps_before_hopeless &&
-        out.y.norm() > sketch_descent_tuning.hopeless * goal.beat && nearest.y.norm() > goal.beat)
+        out.y.norm() > leap_tuning.hopeless * goal.beat && nearest.y.norm() > goal.beat)
       return out;
     const double turn = chart.v(step).norm();
     step *=

@@ -37,9 +37,8 @@ struct SketchDescentTuning {
   double shortest = 0.02;         ///< shorter steps end a descent too
   double arrived_within = 0.25;   ///< a descent with points no deeper than this has arrived
   /// A descent may be given up after this many steps, if its depth exceeds the depth to beat by
-  /// this factor. The local optimum that it would have reached is then not found.
+  /// LeapTuning::hopeless. The local optimum that it would have reached is then not found.
   int steps_before_hopeless = 2;
-  double hopeless = 1.1;
 };
 inline constexpr SketchDescentTuning sketch_descent_tuning;
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/penetration/contact/contact_tuning.hpp"
 #include "engine/penetration/contact/least_distance.hpp"
 #include "engine/penetration/contact/separating_directions.hpp"
 #include "engine/penetration/contact/touching_points.hpp"
@@ -60,7 +61,7 @@ class Touch {
       for (std::size_t i = 0; i < rows.size(); ++i)
         rows[i].bound = gap * rounding_ - contacts_[i].gap;
       const LeastDistance nearest =
-          least_distance(rows, touching_tuning.solved_to * gap * rounding_);
+          least_distance(rows, contact_tuning.solved_to * gap * rounding_);
       if (!nearest.feasible || !(nearest.y.norm() <= level_)) return std::nullopt;
       Separation out = make_separation(chart_, outcome(nearest));
       if (!overlap(probe_, fixed_, Transform(out.separated), Doubt::exact)) return out;

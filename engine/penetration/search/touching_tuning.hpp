@@ -27,8 +27,6 @@ struct TouchingTuning {
   /// Maximum number of touching pairs: 1 ms of work. Flat parts have few touching triangles however
   /// finely they are cut; only curved surfaces that fit each other have more.
   std::size_t most_pairs = 512;
-  /// Share of the gap: tolerated violation of a row, as in a descent.
-  double solved_to = 0.05;
 };
 inline constexpr TouchingTuning touching_tuning;
 

@@ -32,12 +32,20 @@ TEST(Block, any_bit_that_is_another_is_noticed) {
   }
 }
 
+// Reference: the widths of a row's columns, added up.
 TEST(Block, of_more_rows_than_it_can_hold_is_none) {
   std::string block = tick_block(made_up_ticks(8));
-  for (const char rows : {'\0', '\x7f'}) {
-    block[12] = rows;  // the lowest byte of the rows
-    EXPECT_THROW(head_of(block), std::invalid_argument) << int(rows);
-  }
+  std::size_t row = 0;
+  for (const auto& column : tick_columns()) row += width(column.as);
+  const std::size_t most = head_of(block).raw / row;
+  ASSERT_LT(most, 0x7fu);
+  const auto with_rows = [&](std::size_t rows) {
+    block[12] = static_cast<char>(rows);  // the lowest byte of the rows
+    return block;
+  };
+  EXPECT_NO_THROW(head_of(with_rows(most)));
+  for (const std::size_t rows : {std::size_t{0}, most + 1, std::size_t{0x7f}})
+    EXPECT_THROW(head_of(with_rows(rows)), std::invalid_argument) << rows;
 }
 
 // The head's layout is that of block.hpp: sizes at 4 and 8, times at 16 and 24.
@@ -45,9 +53,9 @@ TEST(Block, larger_than_any_of_ours_is_none) {
   const std::string block = tick_block(made_up_ticks(8));
   for (const std::size_t highest_byte : {std::size_t{7}, std::size_t{11}}) {
     std::string damaged = block;
-    damaged[highest_byte] = '\x10';  // 2^28 and a little more
+    damaged.replace(highest_byte - 3, 4, std::string("\x01\x00\x00\x10", 4));  // 2^28 + 1
     EXPECT_THROW(head_of(damaged), std::invalid_argument) << highest_byte;
-    damaged[highest_byte] = '\x0f';
+    damaged[highest_byte - 3] = '\0';
     EXPECT_NO_THROW(head_of(damaged)) << highest_byte;
   }
 }

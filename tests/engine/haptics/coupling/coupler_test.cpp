@@ -74,6 +74,10 @@ TEST(Coupler, does_not_damp_a_turn_that_passes_half_a_turn) {
   EXPECT_NEAR(torque_z(pi - 0.01), pi - 0.01 + 0.5 * 0.01 / dt, 1e-6);
   EXPECT_NEAR(torque_z(pi + 0.01), -(pi - 0.01), 1e-9);
   EXPECT_NEAR(torque_z(pi + 0.02), -(pi - 0.02) + 0.5 * 0.01 / dt, 1e-6);
+  // A change of 0.9 π is a turn, however fast; one of 1.1 π is the shorter one the other way round.
+  torque_z(-0.4 * pi);
+  EXPECT_NEAR(torque_z(0.5 * pi), 0.5 * pi + 0.5 * 0.9 * pi / dt, 1e-6);
+  EXPECT_NEAR(torque_z(-0.6 * pi), -0.6 * pi, 1e-9);
 }
 
 TEST(Coupler, from_one_mode_to_another_the_wrench_is_of_both) {
