@@ -16,7 +16,7 @@ Pose checked_pose(const Pose& X) {
 }
 
 Pose checked_pose_of_motion(const Pose& X) {
-  const Pose out = checked_pose(X);
+  Pose out = checked_pose(X);
   if (X.p.cwiseAbs().maxCoeff() > farthest_of_motion)
     throw InputError("the pose is too far from the origin to compute with");
   return out;

@@ -34,7 +34,7 @@ struct BoundTuning {
   // Start points (deep_points). Each cap may leave out points that would have been deeper.
   std::size_t most_points = 4;
   int most_meetings = 3;            ///< intersecting pairs of triangles
-  int most_opened = 400;            ///< pairs of boxes opened to find them
+  int most_opened = 2000;           ///< pairs of boxes opened to find them, for crossings too
   double share_for_corners = 0.05;  ///< of the work: evaluations at the corners of each body
   int most_boxes = 60;              ///< boxes of the cover of the overlap of two solids
   double large_triangle =
@@ -51,15 +51,14 @@ struct BoundTuning {
   double worth_crossings =
       0.5;           ///< times the known depth: with a larger bound, no crossings are searched for
   double reach = 4;  ///< times the known depth: radius of the region examined about a place
-  double comparisons_of_work = 300;      ///< comparisons that take the time of one unit of work
-  int most_opened_for_crossings = 2000;  ///< pairs of boxes opened to find places
-  std::size_t most_meets = 256;          ///< intersecting pairs of triangles, to choose places from
-  double off_the_ends = 0.999;           ///< central share of a shared segment in which places lie
-  std::size_t most_crossings = 8;        ///< places
-  std::size_t most_local_triangles = 1024;  ///< of each body about a place, the nearest
-  std::size_t most_steps_of_cut = 1000;     ///< triangles that a curve crosses on each side
-  double pieces_of_reach = 24;              ///< pieces of a curve per length of the reach
-  double most_pieces = 128;                 ///< of a curve
+  double comparisons_of_work = 300;  ///< comparisons that take the time of one unit of work
+  std::size_t most_meets = 256;      ///< intersecting pairs of triangles, to choose places from
+  double off_the_ends = 0.999;       ///< central share of a shared segment in which places lie
+  std::size_t most_crossings = 8;    ///< places
+  /// Of each body about a place, the nearest; also the limit of the steps of a curve over them.
+  std::size_t most_local_triangles = 1024;
+  double pieces_of_reach = 24;         ///< pieces of a curve per length of the reach
+  double most_pieces = 128;            ///< of a curve
   double least_cosine_of_patch = 0.2;  ///< of the angle between the normals of a patch and its seed
   /// Curves are cut by planes through the place. These are the tangents of the planes' angles to
   /// the plane perpendicular to the line in which the two triangles intersect.

@@ -69,7 +69,7 @@ std::vector<Meet> meets(const Placement& at) {
   PairStack<SlotPair> stack;
   SlotPairs found;
   stack.push(at.roots());
-  for (int opened = 0; !stack.empty() && opened < bound_tuning.most_opened_for_crossings &&
+  for (int opened = 0; !stack.empty() && opened < bound_tuning.most_opened &&
                        out.size() < bound_tuning.most_meets;) {
     const SlotPair p = stack.pop();
     if (at.is_leaf(p)) {
@@ -201,7 +201,7 @@ class Search {
       if (is_over()) return;
       // The plane across the line in which the triangles meet, turned about the triangle's normal.
       const Vec3 across = m.along + slope * normal.cross(m.along);
-      const auto cut = plane_cut(curved, on, m.at, across, bound_tuning.most_steps_of_cut);
+      const auto cut = plane_cut(curved, on, m.at, across, bound_tuning.most_local_triangles);
       if (cut) take(*cut, patch, m);
     }
   }
