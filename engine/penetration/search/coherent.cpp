@@ -254,6 +254,7 @@ const Separation& CoherentSolver::reset(const Pose& X_FM, const StaticOptions& o
   s.last.jumped = s.last.status == Status::penetrating;
   s.started = s.last.status != Status::failed;
   s.limit_while_behind = 0;
+  s.limit_of_fall = work_of_fall;
   s.lag = 0;
   s.gap = 1;
   s.device = s.last.device;
