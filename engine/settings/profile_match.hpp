@@ -9,9 +9,11 @@
 
 namespace sonde {
 
-/// Whether a device of this name is of this model, as far as names tell: its letters and digits
-/// contain those of the profile's id, or of the profile's own name, in large or small letters. A
-/// profile measured on a device ("sigma.7-measured") is of the model that was measured.
+/// Whether a device of this name is of this model, as far as names tell: whole words of it are the
+/// letters and digits of the profile's id, or of the profile's own name, in large or small letters,
+/// and the other words say nothing of the model: a maker ("Geomagic Touch"), a hand
+/// ("sigma.7 right-handed"), a revision ("Touch X S2"). A "Touch Extended" is no Touch. A profile
+/// measured on a device ("sigma.7-measured") is of the model that was measured.
 bool is_named_in(const DeviceProfile& profile, std::string_view device_name);
 
 /// Whether the name of a device says the model of this id, and none of `known` says another one

@@ -39,6 +39,24 @@ TEST(ProfileMatch, a_device_is_of_the_model_that_its_name_says) {
   EXPECT_FALSE(is_named_in(all[0], "Falcon"));
 }
 
+// What is left of a name after a model's own words may be another model.
+TEST(ProfileMatch, whole_words_name_a_model_and_other_words_another_one) {
+  const std::vector<DeviceProfile> all = shipped();
+  for (const char* other :
+       {"Touch Extended", "Touchpad", "MultiTouch", "Touch XL", "Touch Haptic Glove", "Touch 2",
+        "sigma.70", "sigma.7 wrist", "PHANTOM Premium 1.5 High Force 6DOF", "Premium 6DOF"})
+    EXPECT_EQ(id_for(other, all), "none") << other;
+  EXPECT_EQ(id_for("Geomagic Touch", all), "touch");
+  EXPECT_EQ(id_for("3D Systems Touch-X (S2)", all), "touch-x");
+  EXPECT_EQ(id_for("TouchX", all), "touch-x");
+  EXPECT_EQ(id_for("Force Dimension sigma.7, left", all), "sigma.7");
+  EXPECT_EQ(id_for("SIGMA 7 R", all), "sigma.7");
+  EXPECT_EQ(id_for("omega.7 rev3", all), "omega.7");
+  const std::vector<std::string> known{"touch", "touch-x"};
+  EXPECT_FALSE(is_model_of("touch", "Touch Extended", known));
+  EXPECT_TRUE(is_model_of("touch", "Geomagic Touch", known));
+}
+
 TEST(ProfileMatch, one_that_was_measured_comes_first) {
   std::vector<DeviceProfile> all = shipped();
   DeviceProfile own = *profile_of("sigma.7", all);
