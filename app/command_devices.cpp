@@ -61,7 +61,7 @@ std::string library_text(const VendorLibraryListing& library) {
 std::string devices_text(const std::vector<DeviceListing>& devices,
                          const std::vector<VendorLibraryListing>& libraries) {
   std::string text = devices.empty() ? "no 6-DoF device is connected\n" : "";
-  if (!speaks_hid()) text += "HID devices are not looked for: Sonde was built without hidapi\n";
+  text += without_hid();
   for (const DeviceListing& device : devices) {
     text += printable(device.info.path) + "  " + id_text(device.info) + "  " +
             printable(device.name) + " (" + name_of(device.kind) + ")\n";

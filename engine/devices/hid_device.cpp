@@ -20,6 +20,10 @@ bool HidInfo::has(HidUsage usage) const { return std::ranges::find(usages, usage
 
 bool speaks_hid() noexcept { return SONDE_HID != 0; }
 
+std::string without_hid(bool speaks) {
+  return speaks ? "" : "HID devices are not looked for: Sonde was built without hidapi\n";
+}
+
 std::string open_failure(int error) {
   std::string reason = std::generic_category().message(error);
   if (error == EACCES || error == EPERM)

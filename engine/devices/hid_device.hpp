@@ -30,6 +30,8 @@ struct HidInfo {
 
 /// False where Sonde was built without hidapi: then no device is listed, and none opens.
 bool speaks_hid() noexcept;
+/// A line that says so to who looks for devices; empty if it does.
+std::string without_hid(bool speaks = speaks_hid());
 
 /// All connected interfaces, each path once, ordered by path.
 std::vector<HidInfo> list_hid();

@@ -62,6 +62,12 @@ TEST(HidDevice, what_is_connected_is_listed_with_what_it_says_of_itself) {
   EXPECT_FALSE(all[1].has({1, 2}));
 }
 
+TEST(HidDevice, a_build_without_hidapi_says_so_and_another_one_nothing) {
+  EXPECT_NE(without_hid(false).find("built without hidapi\n"), std::string::npos);
+  EXPECT_EQ(without_hid(true), "");
+  EXPECT_EQ(without_hid().empty(), speaks_hid());
+}
+
 TEST(HidDevice, reports_go_in_and_out) {
   MockSystem system;
   system.plug({.descriptor = split_descriptor(), .feature = {5, 1, 2, 3}});
