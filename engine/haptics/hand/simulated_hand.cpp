@@ -66,17 +66,24 @@ void SimulatedHand::set_parameters(const SimulatedDeviceParameters& parameters, 
   parameters_ = wanted;
 }
 
+double SimulatedHand::take_scaling(double scaling) noexcept {
+  const double times = scaling / scaling_;
+  if (times == 1) return 1;
+  const Pose here = to_probe(pace_.device.state().X_WD);
+  const Vec3 com = here * com_;
+  hand_.p += (times - 1) * (hand_ * com_ - com);  // its push stays
+  scaling_ = scaling;
+  pace_.device.reset(to_device(here), to_device(hand_));
+  return times;
+}
+
 HandSample SimulatedHand::sample() noexcept {
   if (paces_.update() && paces_.front()) {
     Pace next = *paces_.front();
     next.device.go_on_from(pace_.device);
     pace_ = next;
   }
-  if (scalings_.update() && scalings_.front() != scaling_) {
-    const Pose here = to_probe(pace_.device.state().X_WD);
-    scaling_ = scalings_.front();
-    pace_.device.reset(to_device(here), to_device(hand_));
-  }
+  const double rescaled = scalings_.update() ? take_scaling(scalings_.front()) : 1;
   follow_target();
   if (places_.update()) {
     hand_ = places_.front();
@@ -91,7 +98,7 @@ HandSample SimulatedHand::sample() noexcept {
   at_probe = traits_at_probe(at_probe, scaling_, 1);
   at_probe.turn_ratio = 0;
   at_probe.ratio = 0;  // it follows the mouse, however fast that moves
-  return {.X_FM = to_probe(pace_.device.measured()), .device = at_probe};
+  return {.X_FM = to_probe(pace_.device.measured()), .rescaled = rescaled, .device = at_probe};
 }
 
 Hand SimulatedHand::hand() {

@@ -43,6 +43,8 @@ class SimulatedHand {
 
  private:
   HandSample sample() noexcept;
+  /// Handle and push of the hand stay. HandSample::rescaled.
+  double take_scaling(double scaling) noexcept;
   void follow_target() noexcept;
   Pose to_device(const Pose& X_FM) const noexcept;
   Pose to_probe(const Pose& X_WD) const noexcept;

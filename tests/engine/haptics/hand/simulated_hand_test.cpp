@@ -232,10 +232,35 @@ TEST(SimulatedHand, a_change_of_scaling_in_contact_does_not_kick) {
   ASSERT_LT(pressed.speed(100), 1e-3) << "at rest in the wall";
   pressed.simulated.set_scaling(1);
   EXPECT_LT(pressed.speed(50), 1e-3) << "no change";
-  // The stretched spring is another one at another scaling: the handle moves, and is not flung. As
-  // the hand's damper had it flung: 0.86 m/s.
+  // The hand follows the mouse, whose place is another one to it at another scaling: the handle
+  // moves, and is not flung. As the hand's damper had it flung: 0.86 m/s.
   pressed.simulated.set_scaling(1.1);
   EXPECT_LT(pressed.speed(50), 0.2);
+}
+
+// As a connected device does: see HandSample.
+TEST(SimulatedHand, another_scaling_is_told_once_and_keeps_the_hands_push) {
+  constexpr double stiffness = 100;
+  SimulatedDeviceParameters held;
+  held.translation.hand_stiffness = stiffness;
+  SimulatedHand simulated(held, period, 1, com, start);
+  const Hand hand = simulated.hand();
+  simulated.set_target(moved(start, Vec3(0.03, 0, 0)));
+  HandSample last;
+  for (int i = 0; i < 5000; ++i) {  // held off by as much as its spring pushes
+    last = hand.sample(period);
+    EXPECT_EQ(last.rescaled, 1);
+    hand.render({.force = Vec3(-stiffness * 0.03, 0, 0)});
+  }
+  ASSERT_NEAR((last.X_FM.p - start.p).norm(), 0, 1e-3);
+  simulated.set_scaling(0.25);
+  simulated.set_target(moved(start, Vec3(0.03 * 0.25, 0, 0)));  // as far away from the handle
+  for (int i = 0; i < 100; ++i) {
+    const HandSample now = hand.sample(period);
+    EXPECT_EQ(now.rescaled, i == 0 ? 0.25 : 1);
+    EXPECT_LT((now.X_FM.p - last.X_FM.p).norm(), 1e-4) << i;
+    hand.render({.force = Vec3(-stiffness * 0.03 / 0.25, 0, 0)});
+  }
 }
 
 TEST(SimulatedHand, what_no_device_has_is_refused) {
