@@ -216,7 +216,12 @@ void HandLoop::set_change_rate(const HandSample& sample) noexcept {
     rate_ = change_rate_at_probe(of_hand_, most_force() * sample.device->ratio,
                                  most_torque() * sample.device->turn_ratio, sample.device->ratio,
                                  sample.device->turn_ratio);
-  whole_rate_ = rate_;
+  if (sample.device && !sample.trial)
+    whole_rate_ = change_rate_at_probe(of_hand_, sample.device->max_force * sample.device->ratio,
+                                       sample.device->max_torque * sample.device->turn_ratio,
+                                       sample.device->ratio, sample.device->turn_ratio);
+  else
+    whole_rate_ = rate_;
   // If the handle yields to the force, as it does if nobody holds it, the force rises more slowly.
   const double share = share_where_it_yields(at_handle(yields_));
   rate_.force *= share;
@@ -278,13 +283,23 @@ Wrench HandLoop::wanted(const HandSample& sample, double dt) noexcept {
     hold_below(sample.rescaled);
   const Wrench felt = out_.hand.asked;
   const Wrench now = coupler_.wrench(out_.separation, dt);
-  if (scaled && !anew && contact && device_ && pushed()) {
-    const double per = 1 / sample.rescaled;
-    gate_.rescale(per);
-    damping_.force *= per;
-    carried_.carry({felt.force * per, felt.torque}, now);
-  }
+  if (!anew && contact && device_ && pushed()) carry_over(felt, now, scaled ? sample.rescaled : 1);
+  max_force_ = coupler_.coupling().max_force;
+  max_torque_ = coupler_.coupling().max_torque;
   return carried_.added_to(now, whole_rate_, velocity_ * at_handle(1), dt);
+}
+
+void HandLoop::carry_over(const Wrench& felt, const Wrench& now, double rescaled) noexcept {
+  const Coupling& c = coupler_.coupling();
+  if (rescaled == 1 && c.max_force >= max_force_ && c.max_torque >= max_torque_) return;
+  const double per = 1 / rescaled;
+  gate_.rescale(per);
+  damping_.force *= per;
+  // Of what was asked the hand felt no more than its device can.
+  const auto can = [](double most) { return most > 0 ? most : infinity; };
+  carried_.carry(
+      limit({per * felt.force, felt.torque}, can(device_->max_force), can(device_->max_torque)),
+      now);
 }
 
 double HandLoop::most_of_glide(const GainGlide& glide, double dt) noexcept {
@@ -356,9 +371,8 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
   const bool given = reason == Withheld::nothing || reason == Withheld::unsettled;
   const bool acts = given && device_ && device_->force;
   set_slew(clock.dt);
-  const Coupling& coupling = coupler_.coupling();
-  const Wrench passed =
-      gate_.pass(out_.hand.asked, reason, coupling.max_force, coupling.max_torque, clock.dt);
+  const Limits most = limits();
+  const Wrench passed = gate_.pass(out_.hand.asked, reason, most.force, most.torque, clock.dt);
   spend(passed, clock.dt);
   if (!given) carried_.restart();
   if (!acts) damping_ = Wrench{};
@@ -384,8 +398,15 @@ Wrench HandLoop::damped(const Wrench& passed, double dt) noexcept {
   // No gate comes after this, and what is not a number would stay one in the ticks that follow.
   const bool finite = damping_.force.allFinite() && damping_.torque.allFinite();
   if (none || !finite) damping_ = Wrench{};
-  return limit({passed.force + damping_.force, passed.torque + damping_.torque},
-               coupler_.coupling().max_force, coupler_.coupling().max_torque);
+  const Limits most = limits();
+  return limit({passed.force + damping_.force, passed.torque + damping_.torque}, most.force,
+               most.torque);
+}
+
+HandLoop::Limits HandLoop::limits() const noexcept {
+  const Coupling& c = coupler_.coupling();
+  return {std::max(c.max_force, out_.hand.asked.force.norm()),  // NaN: those of the coupling
+          std::max(c.max_torque, out_.hand.asked.torque.norm())};
 }
 
 /// The wrench of a trial is not counted in the energy, which is that of contacts.
@@ -407,22 +428,23 @@ void HandLoop::say_gate() noexcept {
 }
 
 const HandTick& HandLoop::fade(const HandSample& sample, double dt, double time) noexcept {
-  const bool can = sample.device && sample.trusted && sample.held && is_finite(sample.X_FM) &&
-                   !sample.changed && out_.hand.withheld == Withheld::nothing && dt > 0 && time > 0;
+  const bool can = sample.device && sample.device->ratio > 0 && !sample.trial && sample.trusted &&
+                   sample.held && is_finite(sample.X_FM) && !sample.changed &&
+                   out_.hand.withheld == Withheld::nothing && dt > 0 && time > 0;
   if (!can) return rest(Withheld::shut_down);
   device_ = sample.device;
   follow(sample, dt);
   if (fault(sample) != Withheld::nothing) return rest(Withheld::shut_down);
   set_change_rate(sample);
-  // As the force falls, a hand that is not firm presses on: no faster than it may be moved.
-  const double share = share_where_it_yields(std::max(0.0, -at_handle(yields_)));
   const double force = out_.wrench.force.norm(), torque = out_.wrench.torque.norm();
   const auto less = [&](const Vec3& of, double size, double rate) {
     const double by = std::max(rate * dt, size * dt / time);
     return size > by ? Vec3(of * (1 - by / size)) : Vec3(Vec3::Zero());
   };
-  out_.wrench.force = less(out_.wrench.force, force, share * whole_rate_.force);
-  out_.wrench.torque = less(out_.wrench.torque, torque, share * whole_rate_.torque);
+  const double along = at_handle(yields_);
+  out_.wrench.force = less(out_.wrench.force, force, rate_of_end(force, whole_rate_.force, along));
+  out_.wrench.torque =
+      less(out_.wrench.torque, torque, rate_of_end(torque, whole_rate_.torque, along));
   return out_;
 }
 

@@ -95,7 +95,7 @@ class HandLoop {
   /// A tick of the shutdown: the last wrench falls to zero, at its permitted rate of change or
   /// within the remaining `time` (s), whichever is faster; more slowly where the hand presses on
   /// meanwhile. It is zero immediately on a hand that is not a known device, or that got no force.
-  static constexpr double longest_fade = 1;  ///< s
+  static constexpr double longest_fade = 6;  ///< s
   const HandTick& fade(const HandSample& sample, double dt, double time) noexcept;
 
   const HandTick& last() const noexcept { return out_; }
@@ -117,6 +117,13 @@ class HandLoop {
   /// `rescaled`: see HandSample; 0: the force begins anew.
   void hold_below(double rescaled) noexcept;
   Wrench wanted(const HandSample& sample, double dt) noexcept;
+  /// Carries what the hand felt over into another scale, or over a limit that falls.
+  void carry_over(const Wrench& felt, const Wrench& now, double rescaled) noexcept;
+  struct Limits {
+    double force, torque;
+  };
+  /// Those of the coupling; what is carried over may be above them.
+  Limits limits() const noexcept;
   /// Measures the hand's motion in this tick, from which the permitted change of the wrench
   /// follows. `fastest`: what moves faster leapt, m/s; 0: nothing does; `since`: time of
   /// the motion, s.
@@ -148,7 +155,7 @@ class HandLoop {
   double period_ = 1e-3;                      ///< s
   ChangeRate of_hand_;                        ///< from the settings
   ChangeRate rate_{.force = 0, .torque = 0};  ///< at the probe, for the hand of the last tick
-  ChangeRate whole_rate_ = rate_;             ///< the same, of a hand that does not yield
+  ChangeRate whole_rate_ = rate_;             ///< the same, if it does not yield, of its device
   GainGlide::Blend set_;                      ///< as set, before any limit
   Coupler coupler_;
   Passivity passivity_;
@@ -156,6 +163,8 @@ class HandLoop {
   ForceGate gate_;
   Wrench damping_;  ///< of the last tick, part of its wrench
   CarriedForce carried_;
+  /// Of the coupling in the last tick, at the probe as it is scaled now.
+  double max_force_ = 0, max_torque_ = 0;
   /// Until the contact is left, gains that are stable by estimate, or no more than these, are all.
   std::optional<FeltGains> felt_already_;
   /// Since the start, or since another device was handed over, no tick had a device and a contact.

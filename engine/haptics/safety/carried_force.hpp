@@ -14,9 +14,14 @@ inline constexpr double slow_enough = 0.03;
 /// this speed, m/s.
 double share_where_it_yields(double speed) noexcept;
 
-/// If a device's scaling changes during a contact, the force on the hand would jump although the
-/// hand has not moved. This class carries the old force over into the new scale: the difference is
-/// added to the coupling's wrench, and decays to zero at the permitted rate of change.
+/// The rate, N/s (or N·m/s), at which a force of that size ends that has no cause any more, if
+/// forces change at `rate`. `along`: m/s, the handle's speed in its direction. It ends more slowly
+/// while the hand presses, and within about 50 ms if it only pushes the handle along.
+double rate_of_end(double size, double rate, double along) noexcept;
+
+/// If a device's scaling changes during a contact, or a limit of the force falls, the force on the
+/// hand would jump although the hand has not moved. This class carries the old force over: the
+/// difference is added to the coupling's wrench, and decays to zero at the permitted rate of change.
 class CarriedForce {
  public:
   /// Carries nothing from now on: the contact or the force has ended.

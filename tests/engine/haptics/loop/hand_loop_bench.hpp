@@ -22,10 +22,15 @@ inline HandLoopSettings at_once() {
 /// A loop whose geometry answers as late as the test wants.
 class HandLoopBench {
  public:
+  /// `height` of the block, m; its top is where at_depth() has it.
   explicit HandLoopBench(const HandLoopSettings& settings = at_once(),
-                         const Coupling& coupling = {})
-      : loop(probe->mass, Method::pdg, coupling, settings) {
-    feed.reset(at_depth(-0.001), {});
+                         const Coupling& coupling = {}, double height = 0.1)
+      : fixed(body(box({3 * height, 3 * height, height}))),
+        loop(probe->mass, Method::pdg, coupling, settings),
+        sunk_((height - 0.1) / 2) {
+    Pose start = at_depth(-0.001);
+    start.p.z() += sunk_;
+    feed.reset(start, {});
     loop.restart(at_depth(-0.001));
   }
   const HandTick& tick(const HandSample& sample, bool geometry = true,
@@ -33,7 +38,7 @@ class HandLoopBench {
     const HandLoop::Clock clock{.tick = ++ticks_, .now = double(ticks_) * dt, .dt = dt};
     const HandTick& out = loop.tick(sample, raised_contacts(), clock, why);
     Pose seen = loop.device();
-    seen.p.z() -= raised;
+    seen.p.z() -= raised - sunk_;
     if (geometry) feed.refresh(seen, clock.tick, clock.now, {});
     return out;
   }
@@ -48,7 +53,7 @@ class HandLoopBench {
   }
 
   std::shared_ptr<const Body> probe = body(box({0.02, 0.03, 0.05}));
-  std::shared_ptr<const Body> fixed = body(box({0.3, 0.3, 0.1}));
+  std::shared_ptr<const Body> fixed;
   ContactFeed feed{{probe, fixed}, Method::pdg};
   HandLoop loop;
   double raised = 0;  ///< m: the fixed body is so much higher; a change is a jump of the contact
@@ -56,12 +61,14 @@ class HandLoopBench {
  private:
   LocalContacts raised_contacts() const {
     LocalContacts contacts = feed.contacts();
-    for (int i = 0; i < contacts.size; ++i) contacts.rows[std::size_t(i)].on_fixed.z() += raised;
-    contacts.separation.device.p.z() += raised;
-    contacts.separation.separated.p.z() += raised;
+    for (int i = 0; i < contacts.size; ++i)
+      contacts.rows[std::size_t(i)].on_fixed.z() += raised - sunk_;
+    contacts.separation.device.p.z() += raised - sunk_;
+    contacts.separation.separated.p.z() += raised - sunk_;
     return contacts;
   }
 
+  double sunk_;  ///< m, the block's middle
   std::uint64_t ticks_ = 0;
 };
 
