@@ -95,7 +95,7 @@ class Servo::State::Run {
     while (s_.wait_for(schedule_.due)) {
       const std::int64_t begin = monotonic_ns();
       take_settings();
-      if (s_.paused.load(std::memory_order_relaxed))
+      if (s_.paused.load(std::memory_order_relaxed) || fade_left_ > 0)
         idle(begin);
       else
         tick(begin);
@@ -124,9 +124,10 @@ class Servo::State::Run {
   }
 
   void idle(std::int64_t begin) noexcept {
-    sample(begin);
-    const HandTick& rest = s_.loop.rest(Withheld::paused);
-    render(rest.wrench);
+    const HandSample hand = sample(begin);
+    if (last_begin_ != 0) fade_left_ = HandLoop::longest_fade;
+    const Wrench left = faded(hand);
+    render(fade_left_ > 0 ? left : s_.loop.rest(Withheld::paused).wrench);
     if (!snapshot_.paused && snapshot_.tick > 0) {
       snapshot_.paused = true;
       snapshot_.hand.withheld = Withheld::paused;
@@ -188,22 +189,24 @@ class Servo::State::Run {
     s_.timings.write(timing_);
   }
 
-  /// Lets the force of a pressed hand fall gradually: another scene or method may begin soon.
-  void fade() noexcept {
-    if (snapshot_.tick == 0 || snapshot_.paused || last_begin_ == 0) return;
+  /// Lets the force of a pressed hand fall gradually: the loop pauses, or another scene or method
+  /// may begin soon.
+  Wrench faded(const HandSample& hand) noexcept {
+    if (!s_.force.load(std::memory_order_relaxed)) fade_left_ = 0;
+    if (!(fade_left_ > 0)) return {};
     const double dt = static_cast<double>(schedule_.period) * 1e-9;
-    for (double left = HandLoop::longest_fade; left > 0; left -= dt) {
-      if (!s_.force.load(std::memory_order_relaxed)) return;
-      const HandTick& done = s_.loop.fade(sample(monotonic_ns()), dt, left);
-      render(done.wrench);
-      if (done.wrench.force.isZero(0) && done.wrench.torque.isZero(0)) return;
-      sleep_until_ns(monotonic_ns() + schedule_.period);
-    }
+    const Wrench left = s_.loop.fade(hand, dt, fade_left_).wrench;
+    fade_left_ = left.force.isZero(0) && left.torque.isZero(0) ? 0 : fade_left_ - dt;
+    return left;
   }
 
   /// Renders the final zero wrench.
   void end() noexcept {
-    fade();
+    if (last_begin_ != 0) fade_left_ = HandLoop::longest_fade;
+    while (fade_left_ > 0) {
+      render(faded(sample(monotonic_ns())));
+      if (fade_left_ > 0) sleep_until_ns(monotonic_ns() + schedule_.period);
+    }
     render(Wrench{});
     if (snapshot_.tick == 0) return;
     snapshot_.wrench = Wrench{};
@@ -219,6 +222,7 @@ class Servo::State::Run {
   Snapshot snapshot_;
   ServoTiming timing_;
   std::int64_t last_begin_ = 0;   ///< 0: no tick directly before this one, so no rates
+  double fade_left_ = 0;          ///< s, for which a force may still fall; 0: there is none
   std::int64_t last_sample_ = 0;  ///< 0: none yet
   std::uint64_t last_age_ = 0;
 };

@@ -26,7 +26,7 @@ struct Snapshot {
   double tick_us = 0;      ///< computing time of the tick
   double rate_hz = 0;      ///< measured over the last 100 ms or so
   std::uint64_t late = 0;  ///< ticks that began or ended past their deadline, so far
-  bool paused = false;     ///< the other fields are of the last tick; the hand gets no force
+  bool paused = false;     ///< the other fields are of the last tick; a hand's force falls to zero
 };
 
 /// How well the servo keeps its deadlines, since the start.
@@ -74,7 +74,9 @@ class Servo {
   /// The same with a hand, which the servo samples and renders to in each tick, even while paused.
   /// The last wrench is zero.
   void start(const Pose& X_FM, Hand hand);
-  void stop();  ///< promptly, at any rate; the last snapshot stays, with a zero wrench
+  /// Promptly, at any rate, but for a pressed hand on a known device, whose force falls gradually,
+  /// unless it is switched off (HandLoop::fade). The last snapshot stays, with a zero wrench.
+  void stop();
   bool running() const;
   /// Sets the device pose; the newest call wins; lock-free. Has no effect if the servo was started
   /// with a hand.
@@ -87,9 +89,11 @@ class Servo {
   void set_budget_us(double time_us);  ///< ServoSettings::budget.microseconds
   /// Whether rows report where the geometry's time went (RowsUsed::phases); off initially.
   void set_time_phases(bool on);
-  /// A paused loop keeps its threads and its last snapshot, and computes nothing.
+  /// A paused loop keeps its threads and its last snapshot, and computes nothing. The force of a
+  /// pressed hand falls gradually, and a loop that goes on meanwhile waits for that.
   void set_paused(bool paused);
-  /// False: no force from the next tick on, whatever the contact. True: the force rises from zero.
+  /// False: no force from the next tick on, whatever the contact, also while stop() or a pause lets
+  /// it fall; any thread may say so. True: the force rises from zero.
   void set_force(bool on);
   /// The newest snapshot, valid until the next call; lock-free. Null before the first tick.
   const Snapshot* latest();

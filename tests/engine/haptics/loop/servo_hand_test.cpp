@@ -36,6 +36,8 @@ struct TestHand {
   std::atomic<std::uint64_t> samples{0}, renders{0};
   std::atomic<std::uint64_t> out_of_turn{0};
   std::atomic<bool> bad_dt{false};
+  std::optional<DeviceTraits> device;   ///< to be set before the start
+  std::atomic<double> largest_fall{0};  ///< N, from one wrench to the next
 
   Hand hand() {
     return {.sample =
@@ -43,11 +45,13 @@ struct TestHand {
                   if ((dt == 0) != (samples == 0)) bad_dt = true;
                   if (samples != renders) ++out_of_turn;
                   ++samples;
-                  return HandSample{.X_FM = at_depth(depth), .held = held, .trusted = trusted};
+                  return HandSample{
+                      .X_FM = at_depth(depth), .held = held, .trusted = trusted, .device = device};
                 },
             .render =
                 [this](const Wrench& wrench) {
                   ++renders;
+                  largest_fall = std::max(largest_fall.load(), force - wrench.force.z());
                   force = wrench.force.z();
                 }};
   }
@@ -117,6 +121,41 @@ TEST_F(ServoHand, nothing_is_felt_with_the_force_off_the_clutch_open_the_device_
   EXPECT_GE(hand.samples, before + 3);  // a device wants to be read, and told, all the same
   paused(false);
   EXPECT_TRUE(wait_for_force());
+}
+
+// 1 N of a device's 4: at 4 N/s.
+TEST_F(ServoHand, a_pause_and_an_end_let_the_force_of_a_pressed_hand_fall_gradually) {
+  hand.device = DeviceTraits{.max_force = 4, .mass = 0.1};
+  servo.start(at_depth(0.002), hand.hand());
+  ASSERT_TRUE(wait_for_force());
+  hand.largest_fall = 0;
+  servo.set_paused(true);
+  ASSERT_TRUE(wait_for([&](const Snapshot&) { return hand.force == 0; }));
+  servo.set_paused(false);
+  ASSERT_TRUE(wait_for_force());
+  servo.set_paused(true);
+  ASSERT_TRUE(wait_for([&](const Snapshot&) { return hand.force < 0.8; }));
+  servo.set_paused(false);  // it goes on once it has fallen
+  ASSERT_TRUE(wait_for([&](const Snapshot&) { return hand.force == 0; }));
+  ASSERT_TRUE(wait_for_force());
+  servo.stop();
+  EXPECT_EQ(hand.force, 0);
+  EXPECT_NEAR(hand.largest_fall, 0.004, 1e-6);
+  EXPECT_EQ(hand.out_of_turn, 0u);
+}
+
+TEST_F(ServoHand, a_force_that_is_switched_off_ends_at_once_in_a_pause_too) {
+  hand.device = DeviceTraits{.max_force = 0.02, .mass = 0.1};  // a minute, but for longest_fade
+  servo.start(at_depth(0.002), hand.hand());
+  ASSERT_TRUE(wait_for([](const Snapshot& s) { return s.wrench.force.z() > 0.02; }));
+  servo.set_paused(true);
+  ASSERT_TRUE(wait_for([](const Snapshot& s) { return s.paused; }));
+  const double before = hand.force;
+  EXPECT_GT(before, 0.01);
+  hand.largest_fall = 0;
+  servo.set_force(false);
+  ASSERT_TRUE(wait_for([&](const Snapshot&) { return hand.force == 0; }));
+  EXPECT_GT(hand.largest_fall, 0.01) << "in one tick";
 }
 
 TEST_F(ServoHand, deadlines_and_ages_are_counted) {
