@@ -5,6 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "engine/haptics/hand/awaited_hand.hpp"
+
 namespace sonde::ui {
 
 class Session;
@@ -15,11 +17,23 @@ class Endings {
  public:
   Endings();
   ~Endings();
-  /// Nothing holds the probe any more when this returns. Null: nothing.
+  /// It is to be added soon, and counts until then. Null: nothing.
+  void expect(Session* session);
+  /// Lets go of what holds the probe, whose force falls gradually. Null: nothing.
   void add(std::unique_ptr<Session> session);
+  /// No force any more from any of them.
+  void stop_force();
+  /// Of those that may still ask a device.
+  std::vector<LoopEnded> unended() const;
 
  private:
-  std::vector<std::future<void>> running_;
+  struct Ending {
+    std::weak_ptr<Session> session;
+    LoopEnded ended;
+    std::future<void> over;
+  };
+  std::vector<Session*> expected_;
+  std::vector<Ending> running_;
 };
 
 }  // namespace sonde::ui

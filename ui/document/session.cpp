@@ -2,6 +2,7 @@
 #include "ui/document/session.hpp"
 
 #include <chrono>
+#include <thread>
 #include <utility>
 #include <variant>
 
@@ -39,7 +40,7 @@ struct Session::Holding {
   DeviceHand* device() { return std::get_if<DeviceHand>(&by); }
 
   std::variant<DirectHand, SimulatedHand, DeviceHand, PathHand, OtherHand> by;
-  const Hand hand;
+  Hand hand;
 };
 
 namespace {
@@ -95,8 +96,10 @@ void Session::hold_by(const SimulatedDeviceParameters& device, double scaling) {
 }
 
 void Session::hold_by(std::shared_ptr<InputDevice> device, const DeviceSettings& settings) {
-  hold(std::make_shared<Holding>(std::in_place_type<DeviceHand>, std::move(device), settings,
-                                 probe().mass.com, probe_pose()));
+  const auto holding = std::make_shared<Holding>(std::in_place_type<DeviceHand>, std::move(device),
+                                                 settings, probe().mass.com, probe_pose());
+  holding->hand = awaited(std::move(holding->hand), others_, probe_pose());
+  hold(holding);
   holding_->device()->set_view(q_FV_);
 }
 
@@ -190,14 +193,22 @@ void Session::place(const Pose& X_FM) {
     begin(X_FM);
 }
 
+/// In another thread: a search may come first, and before that the force of a pressed hand on a
+/// device falls gradually.
 void Session::begin(const Pose& X_FM) {
-  servo_.stop();
-  if (SimulatedHand* simulated = holding_->simulated()) simulated->place(X_FM);
-  if (DeviceHand* device = holding_->device()) device->place(X_FM);
+  const bool may_be_pressed = holding_->device() || std::holds_alternative<OtherHand>(holding_->by);
+  if (!may_be_pressed) servo_.stop();
   if (std::holds_alternative<PathHand>(holding_->by))
     hold(std::make_shared<Holding>(std::in_place_type<PathHand>, path_, X_FM));
-  beginning_ = std::async(std::launch::async,
-                          [this, X_FM, hand = hands_.hand()] { servo_.start(X_FM, hand); });
+  begun_ = false;
+  beginning_ =
+      std::async(std::launch::async, [this, X_FM, holding = holding_, hand = hands_.hand()] {
+        servo_.stop();
+        begun_ = true;
+        if (SimulatedHand* simulated = holding->simulated()) simulated->place(X_FM);
+        if (DeviceHand* device = holding->device()) device->place(X_FM);
+        servo_.start(X_FM, hand);
+      });
 }
 
 bool Session::placing() {
@@ -221,9 +232,17 @@ std::optional<GaugedClearance> Session::clearance(const Pose& X_FM) {
 
 void Session::let_go() {
   wanted_.reset();
-  if (!placing()) servo_.stop();  // while the force is on: it falls gradually
+  if (!placing()) return;  // end() lets the force fall
   set_force(false);
   hold_by_mouse();
+  while (!begun_) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  *ended_ = true;  // it may search for long, and then begins with the mouse
+}
+
+void Session::end() {
+  if (beginning_.valid()) beginning_.wait();
+  servo_.stop();
+  *ended_ = true;
 }
 
 }  // namespace sonde::ui

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <future>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "engine/devices/device_settings.hpp"
 #include "engine/devices/input_device.hpp"
+#include "engine/haptics/hand/awaited_hand.hpp"
 #include "engine/haptics/hand/hand_switch.hpp"
 #include "engine/haptics/hand/simulated_device.hpp"
 #include "engine/haptics/loop/background_search.hpp"
@@ -105,9 +109,16 @@ class Session {
   void place(const Pose& X_FM);
   /// Is it on its way there?
   bool placing();
-  /// No force any more, and what holds the probe is let go; what is left to do can take a while,
-  /// and may be done in another thread: ending the session.
+  /// The last call of this thread but stop_force(): what is left to do can take a while, and is
+  /// done in another thread by end(), with which a pressed hand's force falls gradually.
   void let_go();
+  void end();
+  /// No force any more on a hand that is let go.
+  void stop_force() { servo_.set_force(false); }
+  /// True once nothing here asks a device any more.
+  LoopEnded ended() const { return ended_; }
+  /// A device holds the probe once these have ended: sessions that had it before.
+  void wait_for(std::vector<LoopEnded> others) { others_ = std::move(others); }
   /// Where reset() leads from now on.
   void set_start(const Pose& X_FM) { loaded_.start = X_FM; }
 
@@ -139,8 +150,11 @@ class Session {
   HandSwitch hands_;
   Servo servo_;
   const ServoTiming no_timing_{};
-  std::optional<Pose> wanted_;   ///< X_FM, where to begin once what is searched now has ended
-  std::future<void> beginning_;  ///< the servo is no other thread's meanwhile
+  std::optional<Pose> wanted_;     ///< X_FM, where to begin once what is searched now has ended
+  std::future<void> beginning_;    ///< the servo is no other thread's meanwhile
+  std::atomic<bool> begun_{true};  ///< it has left the hand as it was before
+  const std::shared_ptr<std::atomic<bool>> ended_ = std::make_shared<std::atomic<bool>>(false);
+  std::vector<LoopEnded> others_;
 };
 
 }  // namespace sonde::ui

@@ -142,10 +142,11 @@ void MainWindow::show_session(DrawnSession drawn, bool same_document) {
   lay_desk();
   // It lives until nothing below refers to it any more.
   std::unique_ptr<Session> before = std::move(drawn_.session);
-  if (before) before->let_go();
   drawn_ = std::move(drawn);
   force_log_.end();
   Session& now = *drawn_.session;
+  endings_.expect(before.get());
+  now.wait_for(endings_.unended());
   now.set_force(force_);  // what Esc took away stays away
   forget_shown();
   search_.forget();
@@ -228,6 +229,7 @@ void MainWindow::pause(bool paused) {
 void MainWindow::set_force(bool on) {
   force_ = on;  // also while the first pair is being read
   if (session()) session()->set_force(on);
+  if (!on) endings_.stop_force();
   emit force_changed(on);
 }
 
