@@ -51,6 +51,31 @@ Line differences(std::span<const FeltTick> ticks, Eigen::Index row, const Vec6 F
   return out;
 }
 
+constexpr double rarely = 0.05;         // share of the ticks that may repeat a place
+constexpr std::size_t most_missed = 3;  // ticks in a row
+
+/// The ticks with the places that a device did not report: such a tick repeats the place before it,
+/// and the next report has the way of both, which looks like a step. They are taken from between
+/// the reports, where they are rare. A handle that rests, or an encoder's coarse steps, repeat
+/// more.
+std::vector<FeltTick> with_missed(std::span<const FeltTick> ticks) {
+  std::vector<FeltTick> out(ticks.begin(), ticks.end());
+  std::size_t repeated = 0;
+  for (std::size_t i = 1; i < out.size(); ++i) repeated += ticks[i].place == ticks[i - 1].place;
+  if (double(repeated) > rarely * double(out.size())) return out;
+  for (std::size_t i = 1; i < out.size();) {
+    std::size_t end = i;
+    while (end < out.size() && ticks[end].place == ticks[i - 1].place) ++end;
+    const std::size_t missed = end - i;
+    if (missed > 0 && missed <= most_missed && end < out.size())
+      for (std::size_t m = i; m < end; ++m)
+        out[m].place +=
+            double(m - i + 1) / double(missed + 1) * (ticks[end].place - ticks[m].place);
+    i = end + 1;
+  }
+  return out;
+}
+
 double square(double x) { return x * x; }
 
 /// The size of the steps in which a position is read; 0 if it is not seen to be read in steps. What
@@ -228,9 +253,10 @@ Chatter chatter(std::span<const FeltTick> ticks, double sample_time, const FeltH
   const auto wanted = static_cast<std::size_t>(std::llround(chatter_window / sample_time));
   if (ticks.size() > wanted) ticks = ticks.last(wanted);
   if (ticks.size() < std::max(fewest_ticks, wanted / 2)) return {};
-  const Chatter sliding = chatter_of(ticks, 0, sample_time, handle.mass, handle.lag, 1);
+  const std::vector<FeltTick> reported = with_missed(ticks);
+  const Chatter sliding = chatter_of(reported, 0, sample_time, handle.mass, handle.lag, 1);
   if (!(length > 0)) return sliding;
-  const Chatter turning = chatter_of(ticks, 3, sample_time, handle.inertia, handle.lag, length);
+  const Chatter turning = chatter_of(reported, 3, sample_time, handle.inertia, handle.lag, length);
   return turning.acceleration > sliding.acceleration ? turning : sliding;
 }
 

@@ -67,9 +67,9 @@ struct Chatter {
 /// five parts of the window and not decay: the vibration after a knock, a step, or a contact that
 /// begins or ends is soon over. And where the position is seen to be read in steps, its oscillation
 /// must be half a step or more: the saw teeth of a slow glide are smaller, and so is what a tremor
-/// leaves between the readings. Translation and rotation are examined separately; the result is the
-/// one that is felt more. The steady force does not count. Returns no oscillation if there are too
-/// few ticks. Allocates.
+/// leaves between the readings. Reports that a device missed now and then are no such steps.
+/// Translation and rotation are examined separately; the result is the one that is felt more. The
+/// steady force does not count. Returns no oscillation if there are too few ticks. Allocates.
 Chatter chatter(std::span<const FeltTick> ticks, double sample_time, const FeltHandle& handle,
                 double length);
 
