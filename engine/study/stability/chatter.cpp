@@ -67,7 +67,10 @@ std::vector<FeltTick> with_missed(std::span<const FeltTick> ticks) {
     std::size_t end = i;
     while (end < out.size() && ticks[end].place == ticks[i - 1].place) ++end;
     const std::size_t missed = end - i;
-    if (missed > 0 && missed <= most_missed && end < out.size())
+    const bool goes_on =
+        i > 1 && end < out.size() &&
+        (ticks[end].place - ticks[i - 1].place).dot(ticks[i - 1].place - ticks[i - 2].place) > 0;
+    if (missed > 0 && missed <= most_missed && goes_on)
       for (std::size_t m = i; m < end; ++m)
         out[m].place +=
             double(m - i + 1) / double(missed + 1) * (ticks[end].place - ticks[m].place);

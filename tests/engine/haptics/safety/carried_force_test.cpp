@@ -45,6 +45,20 @@ TEST(CarriedForce, a_hand_that_goes_the_way_of_the_change_slows_it_down_and_no_o
   EXPECT_NEAR(after_a_tick(1), 0.0001, 1e-12);
 }
 
+// Besides the rate, in 50 ms, and in proportion below slow_enough.
+TEST(CarriedForce, what_only_pushes_the_handle_along_ends_soon) {
+  CarriedForce carried;
+  const auto after_a_tick = [&](double velocity) {
+    carried.carry(carried_push(3), carried_push(1));
+    return carried.added_to(carried_push(1), carried_rate, Vec3(0, 0, velocity), carried_tick)
+        .force.z();
+  };
+  EXPECT_NEAR(after_a_tick(1), 3 - 0.01 - 2 / 0.05 * carried_tick, 1e-12);
+  EXPECT_NEAR(after_a_tick(slow_enough / 2), 3 - 0.01 - 1 / 0.05 * carried_tick, 1e-12);
+  EXPECT_NEAR(after_a_tick(0), 3 - 0.01, 1e-12);
+  EXPECT_NEAR(after_a_tick(-slow_enough / 2), 3 - 0.005, 1e-12) << "it is pressed against";
+}
+
 TEST(CarriedForce, it_never_pulls_where_the_coupling_pushes) {
   CarriedForce carried;
   carried.carry(carried_push(1), carried_push(3));
