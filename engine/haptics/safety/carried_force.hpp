@@ -21,7 +21,8 @@ double rate_of_end(double size, double rate, double along) noexcept;
 
 /// If a device's scaling changes during a contact, or a limit of the force falls, the force on the
 /// hand would jump although the hand has not moved. This class carries the old force over: the
-/// difference is added to the coupling's wrench, and decays to zero at the permitted rate of change.
+/// difference is added to the coupling's wrench, and decays to zero at the permitted rate of
+/// change.
 class CarriedForce {
  public:
   /// Carries nothing from now on: the contact or the force has ended.
