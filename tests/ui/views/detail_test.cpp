@@ -67,7 +67,7 @@ class DetailTest : public WindowTest {
 };
 
 TEST_F(DetailTest, what_moves_is_simplified_and_the_status_says_so) {
-  EXPECT_FALSE(rates().contains("simplified"));
+  EXPECT_TRUE(wait_until([&] { return !rates().contains("simplified"); })) << "at rest";
   double x = 600;
   send(QEvent::MouseButtonPress, {x, 300}, Qt::RightButton, Qt::RightButton, {});
   EXPECT_TRUE(wait_until([&] {

@@ -171,7 +171,8 @@ INSTANTIATE_TEST_SUITE_P(Profiles, NeverThrown,
                          testing::Values("lambda.7", "omega.7", "premium-1.5-6dof",
                                          "premium-3.0-6dof", "sigma.7", "touch", "touch-x"));
 
-// What the rate is there for: without it, a tenth of a second of glide throws the light hand.
+// What the rate is there for: without it, a tenth of a second of glide throws the light hand,
+// beyond what NeverThrown allows.
 TEST(Thrown, without_a_rate_of_change) {
   HandLoopSettings settings;
   settings.safety.change_rate = {.force = 0, .torque = 0};
@@ -179,7 +180,7 @@ TEST(Thrown, without_a_rate_of_change) {
   events[0].happens(pressed);
   pressed.run(2);
   RecordProperty("fastest", std::to_string(pressed.fastest()));
-  EXPECT_GT(pressed.fastest(), 2 * most_speed);
+  EXPECT_GT(pressed.fastest(), most_speed);
 }
 
 /// N: the largest change of the force from tick to tick while a hand strikes at 0.3 m/s. Before,
