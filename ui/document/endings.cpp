@@ -25,8 +25,8 @@ void Endings::add(std::unique_ptr<Session> session) {
   std::erase(expected_, session.get());
   session->let_go();
   std::shared_ptr<Session> shared = std::move(session);
-  Ending& added = running_.emplace_back(shared, shared->ended());
-  added.over = std::async(std::launch::async, [ended = std::move(shared)]() mutable {
+  running_.push_back({shared, shared->ended(), {}});
+  running_.back().over = std::async(std::launch::async, [ended = std::move(shared)]() mutable {
     ended->end();
     while (ended.use_count() > 1) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     ended.reset();

@@ -195,7 +195,7 @@ class Servo::State::Run {
     if (!s_.force.load(std::memory_order_relaxed)) fade_left_ = 0;
     if (!(fade_left_ > 0)) return {};
     const double dt = static_cast<double>(schedule_.period) * 1e-9;
-    const Wrench left = s_.loop.fade(hand, dt, fade_left_).wrench;
+    Wrench left = s_.loop.fade(hand, dt, fade_left_).wrench;
     fade_left_ = left.force.isZero(0) && left.torque.isZero(0) ? 0 : fade_left_ - dt;
     return left;
   }
