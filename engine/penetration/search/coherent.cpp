@@ -55,8 +55,11 @@ constexpr double held_off = 4;
 /// and 36 to 83 ms with a limit of 3 million for what came far alone, and take 7, 9, 14 and 7 to 8
 /// ms; 22, 1, 2 and 9 to 19 ticks do not converge where it was 9, 0, 0 and 0 to 7.)
 constexpr std::int64_t work_of_fall = 450'000;
-/// The same, some minutes: the limit is doubled after a tick that changes nothing.
-constexpr std::int64_t most_work_of_fall = std::int64_t(1) << 34;
+/// The same, about a second: the limit is doubled after a tick that changes nothing while the
+/// device rests, and begins anew as soon as it moves.
+constexpr std::int64_t most_work_of_fall = 100'000'000;
+/// R: the device rests if it moves by no more in one tick.
+constexpr double resting = 1e-6;
 
 }  // namespace
 
@@ -70,7 +73,6 @@ struct CoherentSolver::State {
   FreeRegion free_region{probe, fixed};
   PhaseTimes times;  ///< of this tick, if timing is on
   bool timed = false;
-  bool turn_given_up = false;  ///< in this tick: its effort ran out before the probe could turn
   Separation last;
   Pose device;     ///< the last device pose that was not refused
   Pose separated;  ///< the last separated pose: free
@@ -80,7 +82,7 @@ struct CoherentSolver::State {
   /// Units of Effort: limit of a tick without one, while the probe has not yet reached its optimum
   /// after a jump of the device or a fall; 0: none.
   std::int64_t limit_while_behind = 0;
-  /// Units of Effort: limit of a tick that becomes a fall.
+  /// Units of Effort: limit of a tick that becomes a fall; larger while nothing moves.
   std::int64_t limit_of_fall = work_of_fall;
   /// Share of the allowed clearance: the largest distance of the last pose above its contacts.
   /// After a search it is all of it.
@@ -128,21 +130,28 @@ struct CoherentSolver::State {
     return X.p.cwiseAbs().maxCoeff() <= farthest * (extent(probe) + extent(fixed));
   }
 
+  /// Whether the device rests: in coordinates of its own pose, a motion is not 0 to the bit.
+  bool rests(double moved) const noexcept { return moved <= resting * probe.mass.radius; }
+
   /// The effort of a tick. After a jump or a fall it is limited even if no limit was asked for, and
   /// so are the next ticks until the probe has caught up.
   Effort effort_of(const Budget& budget, double moved) noexcept {
     if (last.converged) limit_while_behind = 0, limit_of_fall = work_of_fall;
     if (moved > jump_of_device * probe.mass.radius) limit_while_behind = work_after_jump;
+    if (!rests(moved)) limit_of_fall = work_of_fall;
     const double until = budget.microseconds > 0 ? now_us() + budget.microseconds : 0;
     const bool unlimited = budget.work == 0 && until == 0;
-    return {unlimited ? limit_while_behind : budget.work, until};
+    const std::int64_t own =
+        limit_while_behind > 0 ? std::max(limit_while_behind, limit_of_fall) : 0;
+    return {unlimited ? own : budget.work, until};
   }
 
-  /// After a tick that its own limit stopped. If neither the device nor the probe has moved, the
-  /// next tick would be the same, and so on for ever.
-  void learn_limit(bool moved) noexcept {
-    if (!moved) limit_of_fall = std::min(2 * limit_of_fall, most_work_of_fall);
-    limit_while_behind = std::max(limit_while_behind, limit_of_fall);
+  /// After a tick that its own limit stopped. `same`: its work ran out, the device rests, and |y|
+  /// has not fallen by more than the clearance. The next tick would be the same, and so on for
+  /// ever: it gets twice as much.
+  void learn_limit(bool same) noexcept {
+    limit_while_behind = std::max(limit_while_behind, work_of_fall);
+    if (same) limit_of_fall = std::min(2 * limit_of_fall, most_work_of_fall);
   }
 
   /// If the probe was free and cannot have reached any contact since, sets the result that a
@@ -181,21 +190,9 @@ struct CoherentSolver::State {
   /// motion. It tries the position at which the rows of the last tick let the probe rest; then
   /// positions lifted off the contacts by multiples of the distance that the turn can move a point
   /// of the probe (the descent lowers it again). Returns false if all of these are blocked; y is
-  /// then turned as far as possible. Without a limit of the tick, this takes no more than after a
-  /// jump, and if the probe's turn is several ticks behind already, no more than a fall.
+  /// then turned as far as possible.
   bool follow_turn(const Chart& chart, Effort& effort, Vec6& y) noexcept {
     if (!(y.head<3>().norm() > 0)) return true;
-    const double turned = (device.q.conjugate() * chart.device().q).vec().norm();
-    const bool is_behind = chart.v(y).norm() > held_off * turned;
-    const std::int64_t most = is_behind ? limit_of_fall : work_after_jump;
-    const auto turn = [&](Effort& part) {
-      const bool followed = try_to_turn(chart, part, y);
-      turn_given_up = part.is_spent();
-      return followed;
-    };
-    return effort.is_limited() ? turn(effort) : effort.at_most(most, turn);
-  }
-  bool try_to_turn(const Chart& chart, Effort& effort, Vec6& y) noexcept {
     const double depth = y.tail<3>().norm();
     const double reach = 2 * chart.v(y).norm() * probe.mass.radius;
     Vec6 furthest = y;
@@ -282,7 +279,6 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   const Pose device{X_FM.q.normalized(), X_FM.p};
   if (s.stays_free(device)) return s.last;
   s.times = {};
-  s.turn_given_up = false;
   const double moved = s.device_motion(device);
   const bool was_free = s.was_free();
   if (s.lifted && moved > 0) s.separated = *std::exchange(s.lifted, std::nullopt);
@@ -304,9 +300,10 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
     goal.held_off = held_off * moved;
     found = s.descent.run(chart, y, goal, std::max(moved, 1e-9 * s.probe.mass.radius), effort);
     const bool by_own_limit = budget.work == 0 && !(budget.microseconds > 0);
-    const bool stopped =
-        by_own_limit && (s.turn_given_up || (effort.is_limited() && !found.converged));
-    if (stopped) s.learn_limit(moved > 0 || found.y != from);
+    const bool stopped = by_own_limit && effort.is_limited() && !found.converged;
+    const double fall = from.norm() - found.y.norm();
+    const bool fell = fall > allowed_clearance(s.probe.mass.radius, from.norm());
+    if (stopped) s.learn_limit(effort.is_spent() && s.rests(moved) && !fell);
     found.limited += stopped;
     s.descent.prepare_next_list(farthest_move(s.probe.mass, s.device, device), effort);
   } else {

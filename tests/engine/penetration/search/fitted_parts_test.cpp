@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <random>
 
 #include "engine/geometry/chart.hpp"
@@ -111,29 +110,6 @@ TEST(FittedParts, a_device_at_rest_is_reached_however_little_a_tick_may_do) {
       EXPECT_EQ(reached, rests) << scene.name;
     }
   }
-}
-
-// Translation only: a nut that cannot turn with the device tries to get round its thread.
-// Reference: the same ticks with ten times the work of the longest of them.
-TEST(FittedParts, a_turn_that_takes_too_much_is_cut_short_and_said) {
-  const std::vector<test::FittedScene> joints = test::joint_scenes();
-  const auto nut = std::ranges::find(joints, "nut, jammed", &test::FittedScene::name);
-  ASSERT_NE(nut, joints.end());
-  CoherentSolver solver({test::body(nut->probe), test::body(nut->fixed)}, Method::pdt);
-  const std::vector<Pose> path = test::fitted_path(nut->path, 3000);
-  solver.reset(path.front());
-  int cut_short = 0;
-  for (std::size_t i = 1; i < 800; ++i) {
-    std::optional<CoherentSolver> whole;
-    if (i >= 500 && i % 10 == 0) whole = solver;
-    const Separation own = solver.tick(path[i]);
-    if (!whole || whole->tick(path[i], {.work = 40'000'000}).separated.p == own.separated.p)
-      continue;
-    EXPECT_FALSE(own.converged) << i;
-    EXPECT_GT(own.limited, 0) << i;
-    ++cut_short;
-  }
-  EXPECT_GT(cut_short, 3);
 }
 
 // The shape is the same: so is what is felt, but where a tick says that it fell.
