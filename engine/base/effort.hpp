@@ -51,6 +51,8 @@ class Effort {
     const std::int64_t most = part.left_ = std::min(work, left_);
     const auto out = task(part);
     left_ -= most - std::max<std::int64_t>(0, part.left_);
+    // A part that the clock ended has not used up its own work.
+    if (until_ > 0 && part.is_spent() && now_us() > until_) left_ = 0;
     unwatched_ = between_looks;  // the next spend() reads the clock
     return out;
   }

@@ -41,5 +41,11 @@ TEST(Effort, at_most_limits_what_is_unlimited) {
   EXPECT_FALSE(effort.is_limited());
 }
 
+TEST(Effort, a_part_that_the_clock_ends_leaves_nothing) {
+  Effort effort(0, now_us() - 1);
+  EXPECT_EQ(effort.at_most(1000, [](Effort& part) { return spend_all(part, 5000); }), 0);
+  EXPECT_TRUE(effort.is_spent());
+}
+
 }  // namespace
 }  // namespace sonde
