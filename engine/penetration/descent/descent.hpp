@@ -9,6 +9,7 @@
 #include "engine/geometry/chart.hpp"
 #include "engine/penetration/contact/contact_rows.hpp"
 #include "engine/penetration/contact/separation.hpp"
+#include "engine/penetration/descent/path_length.hpp"
 
 namespace sonde {
 
@@ -128,10 +129,9 @@ class Descent {
   void report(Outcome& out, const Vec6& y, const LeastDistance& nearest) const noexcept;
 
   ContactRows rows_;
-  double gap_;            // the gap aimed at, as a share of the allowed clearance
-  double extents_;        // m: sum of the largest coordinates of both bodies
-  double longest_path_;   // m: limit of a path, set when a sweep used up the effort
-  double given_up_path_;  // m: the length at which it did; grows with each path after that
+  double gap_;      // the gap aimed at, as a share of the allowed clearance
+  double extents_;  // m: sum of the largest coordinates of both bodies
+  PathLength path_length_;
 };
 
 }  // namespace sonde
