@@ -12,6 +12,7 @@
 #include "engine/penetration/contact/contact_clusters.hpp"
 #include "engine/penetration/descent/descent.hpp"
 #include "engine/penetration/descent/result.hpp"
+#include "engine/penetration/search/falls.hpp"
 #include "engine/penetration/search/free_region.hpp"
 #include "engine/penetration/search/static_search.hpp"
 #include "engine/penetration/search/touching.hpp"
@@ -29,18 +30,6 @@ constexpr double farthest = 1e9;
 
 /// R: if the device moves further than this in one tick, the motion counts as a jump.
 constexpr double jump_of_device = 0.25;
-/// Share of the allowed clearance: the largest gap of a probe in contact (twice the gap aimed at).
-/// A loss of depth within it does not count as a fall.
-constexpr double gap_of_held = 2 * Descent::gap_of_follower;
-/// Factor on the device's motion. In a flat metric, the slope that a device motion causes equals
-/// its length; turns curve the metric, by a few per cent at the angles of one tick.
-constexpr double bend_of_metric = 1.1;
-/// Share of the product of the device's and the separated probe's motions. The energy of a tick is
-/// computed from the forces at its two ends, so a tick in which contacts come and go seems to
-/// release this much of σ. (For a peg pressed onto the bottom of its hole: without this tolerance,
-/// three more ticks count as jumps, which they do not if the steps of the device are a quarter as
-/// long. The real falls are found at every step length.)
-constexpr double bend_of_force = 0.1;
 /// Units of Effort, some 10 ns each: limit of a tick after such a jump, if the caller sets none.
 /// The long path that is then swept can pass all of the bodies. The tick says that it has not
 /// converged and that a limit acted; the next ones continue, with the same limit.
@@ -84,13 +73,10 @@ struct CoherentSolver::State {
   std::int64_t limit_while_behind = 0;
   /// Units of Effort: limit of a tick that becomes a fall; larger while nothing moves.
   std::int64_t limit_of_fall = work_of_fall;
-  /// Share of the allowed clearance: the largest distance of the last pose above its contacts.
-  /// After a search it is all of it.
-  double gap = 1;
-  double lag = 0;  ///< m: motion of the device since the last tick that converged
+  Falls falls;
 
   State(const Pair& bodies, Method m)
-      : pair(bodies), method(m), descent(probe, fixed, m, {}, Descent::gap_of_follower) {
+      : pair(bodies), method(m), descent(probe, fixed, m, {}, Descent::gap_of_follower), falls(m) {
     last.reason = "not started";
   }
 
@@ -120,8 +106,10 @@ struct CoherentSolver::State {
 
   /// m²: the part of σ that the tick released: twice the work of the force, per stiffness, over the
   /// separated probe's motion from y = `from` to `to`. On a path of optima it is 0, since the
-  /// contacts do no work.
-  double let_go(const Chart& chart, const Vec6& from, const Vec6& to) const noexcept {
+  /// contacts do no work. With translation only: what the depth lost from `depth_before`.
+  double let_go(const Chart& chart, const Vec6& from, const Vec6& to,
+                double depth_before) const noexcept {
+    if (method == Method::pdt) return depth_before * depth_before - last.sigma;
     const Vec6 before = from - chart.coordinates(device);
     return (from - to).dot(before + to);
   }
@@ -252,8 +240,7 @@ const Separation& CoherentSolver::reset(const Pose& X_FM, const StaticOptions& o
   s.started = s.last.status != Status::failed;
   s.limit_while_behind = 0;
   s.limit_of_fall = work_of_fall;
-  s.lag = 0;
-  s.gap = 1;
+  s.falls.forget();
   s.device = s.last.device;
   s.separated = s.last.separated;
   s.descent.forget();
@@ -293,7 +280,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
     followed = s.method == Method::pdg || s.follow_turn(chart, effort, y);
     DescentGoal goal;
     if (budget.steps > 0) goal.steps = budget.steps;
-    goal.held_slope = bend_of_metric * (moved + s.lag);
+    goal.held_slope = s.falls.held_slope(moved);
     goal.straight_first = was_free;
     goal.far = jump_of_device * s.probe.mass.radius;
     goal.work_of_fall = s.limit_of_fall;
@@ -317,20 +304,18 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   // proved that change free.
   if (s.last.status == Status::penetrating && found.y == from) s.last.separated = s.separated;
   s.keep_spin(chart);
-  // The last tick found a local optimum. As long as the pose stays one, the depth changes by no
-  // more than the device moves, and the probe descends no more steeply than the device has moved
-  // since.
-  const double clearance = allowed_clearance(s.probe.mass.radius, before);
-  const bool turns = s.method == Method::pdg;
-  const double let_go = turns ? s.let_go(chart, from, found.y) : before * before - s.last.sigma;
-  const bool fell_far = s.last.depth < before - moved * (1 + 1e-9) - 2 * clearance;
-  const bool fell_steeply = turns && found.fallen > s.gap * clearance * before;
-  const double bent = bend_of_force * moved * (from - found.y).norm();
-  s.last.jumped = let_go > bent && (fell_far || fell_steeply);
-  if (s.last.jumped) s.last.released = let_go;
   s.last.converged = s.last.converged && followed;
-  s.lag = s.last.converged ? 0 : s.lag + moved;
-  if (s.last.converged) s.gap = gap_of_held;
+  const std::optional<double> released =
+      s.falls.released({.moved = moved,
+                        .way = (from - found.y).norm(),
+                        .before = before,
+                        .depth = s.last.depth,
+                        .clearance = allowed_clearance(s.probe.mass.radius, before),
+                        .let_go = s.let_go(chart, from, found.y, before),
+                        .fallen = found.fallen,
+                        .converged = s.last.converged});
+  s.last.jumped = released.has_value();
+  s.last.released = released.value_or(0);
   // With zero inertia about an axis, the probe may not be at the device pose.
   if (s.last.status == Status::separated && s.probe.mass.inertia.minCoeff() > 0) {
     const PhaseTimer timer(s.timed ? &s.times : nullptr, Phase::look);
