@@ -8,6 +8,7 @@
 #include "engine/penetration/descent/descent.hpp"
 #include "engine/penetration/descent/descent_tuning.hpp"
 #include "engine/penetration/descent/pace.hpp"
+#include "engine/penetration/descent/step_mixing.hpp"
 
 namespace sonde {
 namespace {
@@ -208,6 +209,33 @@ class Descent::Run {
     return step;
   }
 
+  /// The step that is taken for a wanted one. Steps that turn back, or make up a series, are not
+  /// mixed.
+  Vec6 step_of(const Vec6& wanted) noexcept {
+    mixing_.note(y_, nearest_.y - y_);
+    const Vec6 damped = pace_.damped(wanted);
+    const Vec6 step = with_those_to_come(damped);
+    if (pace_.extrapolates || pace_.in_series || damped != wanted) return step;
+    const std::optional<Vec6> mixed = mixed_step();
+    if (mixed) mixing_.take();
+    return mixed.value_or(step);
+  }
+
+  /// Of a run that takes many steps: a mixed step, within all limits of a step, if it is longer
+  /// than what the rows want and meets nothing that they do not know.
+  std::optional<Vec6> mixed_step() noexcept {
+    if (out_.iterations < descent_tuning.steps_before_mixing) return std::nullopt;
+    const std::optional<Vec6> mixed = mixing_.mixed();
+    if (!mixed || !(mixed->dot(y_) < 0)) return std::nullopt;
+    const double most =
+        std::min({1.0, pace_.to_ceiling(y_, *mixed), pace_.longest / mixed->norm(),
+                  descent_.most_of_path(chart_, y_, *mixed, margin_, pace_),
+                  descent_tuning.largest_turn / std::max(chart_.v(*mixed).norm(), 1e-30)});
+    const Vec6 step = most * *mixed;
+    const bool pays = step.norm() > descent_tuning.least_extrapolation * (nearest_.y - y_).norm();
+    return pays && is_clear_until(y_ + step) ? std::optional(step) : std::nullopt;
+  }
+
   /// The step and those that are to follow it in its direction, if nothing is in their way that the
   /// rows do not know.
   Vec6 with_those_to_come(const Vec6& step) noexcept {
@@ -241,7 +269,7 @@ class Descent::Run {
       return false;
     }
     if (went_straight(wanted)) return false;
-    const Vec6 step = with_those_to_come(pace_.damped(wanted));
+    const Vec6 step = step_of(wanted);
     const Vec6 target = y_ + step;
     const Sweep swept = descent_.short_sweep_to(chart_, y_, target, effort_);
     learn_path_length(swept, target);
@@ -280,6 +308,7 @@ class Descent::Run {
   const Vec6 start_;
   Vec6 y_;  // the current pose: free
   Pace pace_{};
+  StepMixing mixing_;
   double margin_ = 0;      // m: the gap aimed at, at y_
   LeastDistance nearest_;  // solution of the current rows
   double wanted_ = 0;      // m: length of the first undamped step here

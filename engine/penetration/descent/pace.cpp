@@ -29,6 +29,12 @@ Vec6 Pace::damped(const Vec6& step) noexcept {
   return shortened(step, damped_to);
 }
 
+double Pace::to_ceiling(const Vec6& y, const Vec6& step) const noexcept {
+  const double size2 = step.squaredNorm(), along = y.dot(step) / size2;
+  const double room = (ceiling * ceiling - y.squaredNorm()) / size2;
+  return std::sqrt(std::max(0.0, along * along + room)) - along;
+}
+
 std::optional<Vec6> Pace::extrapolated(const Vec6& y, const Vec6& step, double most) noexcept {
   const double size = step.norm();
   const auto continues = [&](const Vec6& before) {
@@ -49,9 +55,7 @@ std::optional<Vec6> Pace::extrapolated(const Vec6& y, const Vec6& step, double m
   const double along = y.dot(step) / (size * size);
   // Not one that regains gaps, nor a damped one.
   if (!in_series || along > -0.5 || step != wanted) return std::nullopt;
-  const double room = (ceiling * ceiling - y.squaredNorm()) / (size * size);
-  const double to_ceiling = std::sqrt(std::max(0.0, along * along + room)) - along;
-  const double factor = std::min({1 / std::abs(1 - ratio), to_ceiling, most});
+  const double factor = std::min({1 / std::abs(1 - ratio), to_ceiling(y, step), most});
   if (!(factor > descent_tuning.least_extrapolation) || !std::isfinite(factor)) return std::nullopt;
   return factor * step;
 }

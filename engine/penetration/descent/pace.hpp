@@ -46,6 +46,8 @@ struct Pace {
   /// times the step, and does not raise |y| above the ceiling. No value if that is not worth a
   /// look.
   std::optional<Vec6> extrapolated(const Vec6& y, const Vec6& step, double most) noexcept;
+  /// The multiple of a step from y that ends on the ceiling.
+  double to_ceiling(const Vec6& y, const Vec6& step) const noexcept;
   /// What was taken for a series is none.
   void end_series() noexcept { ratio = 0, in_series = false; }
   /// After a step and the sweep of its path. A step that moved by no more than `worth_while` (m)
