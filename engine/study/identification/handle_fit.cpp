@@ -15,7 +15,8 @@
 
 #include "engine/base/elementary.hpp"
 #include "engine/base/ordering.hpp"
-#include "engine/study/identification/free_handle.hpp"
+#include "engine/study/identification/handle_residuals.hpp"
+#include "engine/study/identification/student_t.hpp"
 
 namespace sonde {
 namespace {
@@ -23,113 +24,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-enum Parameter : Index { inertia, damping, friction, delay, offset, parameter_count };
-
-/// Scales of the parameters, so that the solver works with numbers near one.
-using Scale = std::array<double, parameter_count>;
-
-/// Uses absolute values: so a parameter of zero lies inside the range, not at its end.
-FreeHandle handle_of(const VectorXd& p, const Scale& scale) {
-  return {.inertia = std::max(std::abs(p[inertia]), 1e-6) * scale[inertia],
-          .damping = std::abs(p[damping]) * scale[damping],
-          .friction = std::abs(p[friction]) * scale[friction],
-          .delay = std::abs(p[delay]) * scale[delay],
-          .offset = p[offset] * scale[offset]};
-}
-
-Index size_of(const AxisResponse& r, const PulseWindow& w) {
-  return static_cast<Index>(measured_in(r, w));
-}
-/// Of the samples that were measured.
-VectorXd within(const AxisResponse& r, const std::vector<double>& of, const PulseWindow& w) {
-  VectorXd out(size_of(r, w));
-  Index at = 0;
-  for (std::size_t k = w.begin; k < w.end; ++k)
-    if (r.measured(k)) out[at++] = of[k];
-  return out;
-}
-/// The model's motion under the recorded commands, in parts that each begin at rest.
-std::vector<double> modelled_motion(const FreeHandle& handle, const AxisResponse& r,
-                                    std::span<const double> early = {}) {
-  std::vector<double> out;
-  out.reserve(r.times.size());
-  for (std::size_t part = 0; part <= r.at_rest.size(); ++part) {
-    const std::size_t begin = part == 0 ? 0 : r.at_rest[part - 1];
-    const std::size_t end = part == r.at_rest.size() ? r.times.size() : r.at_rest[part];
-    const std::span times(r.times), commands(r.commands);
-    const auto motion =
-        free_motion(handle, times.subspan(begin, end - begin), commands.subspan(begin, end - begin),
-                    early.empty() ? early : early.subspan(begin, end - begin));
-    out.insert(out.end(), motion.begin(), motion.end());
-  }
-  return out;
-}
-
-VectorXd without_mean(const VectorXd& x) { return x.array() - x.mean(); }
-
-/// Measured minus modelled motion, in shares of the motion's rms, for Eigen's solver. If the times
-/// of commands are parameters too (as shares of the sample before), their prior follows.
-struct Residuals {
-  using Scalar = double;
-  using InputType = VectorXd;
-  using ValueType = VectorXd;
-  using JacobianType = MatrixXd;
-  enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
-
-  const AxisResponse* response;
-  const std::vector<PulseWindow>* windows;
-  Scale scale;
-  double unit;  ///< m | rad
-  /// Samples with a new command; empty: at the logged times.
-  std::vector<std::size_t> changes = {};
-  double prior = 0;        ///< weight of the logged time
-  Progress progress = {};  ///< called with `done` at each evaluation
-  double done = 0;
-
-  int inputs() const { return static_cast<int>(parameter_count + std::ssize(changes)); }
-  int values() const {
-    std::size_t n = changes.size();
-    for (const PulseWindow& w : *windows) n += measured_in(*response, w);
-    return static_cast<int>(n);
-  }
-  std::vector<double> modelled_by(const VectorXd& p) const {
-    std::vector<double> early(changes.empty() ? 0 : response->times.size(), 0);
-    for (std::size_t i = 0; i < changes.size(); ++i) {
-      const std::size_t k = changes[i];
-      const double share = p[parameter_count + static_cast<Index>(i)];
-      early[k] = std::clamp(share, -0.5, 1.5) * (response->times[k] - response->times[k - 1]);
-    }
-    return modelled_motion(handle_of(p, scale), *response, early);
-  }
-  int operator()(const VectorXd& p, VectorXd& out) const {
-    report(progress, done);
-    const std::vector<double> modelled = modelled_by(p);
-    Index at = 0;
-    for (const PulseWindow& w : *windows) {
-      const VectorXd left =
-          without_mean(within(*response, response->positions, w) - within(*response, modelled, w));
-      out.segment(at, left.size()) = left / unit;
-      at += left.size();
-    }
-    for (Index i = parameter_count; i < p.size(); ++i) out[at++] = prior * p[i];
-    return 0;
-  }
-  VectorXd at(const VectorXd& p) const {
-    VectorXd out(values());
-    (*this)(p, out);
-    return out;
-  }
-};
-
-double motion_rms(const AxisResponse& response, const std::vector<PulseWindow>& windows) {
-  double squares = 0, samples = 0;
-  for (const PulseWindow& w : windows) {
-    squares += without_mean(within(response, response.positions, w)).squaredNorm();
-    samples += static_cast<double>(measured_in(response, w));
-  }
-  return std::sqrt(squares / samples);
-}
+using P = HandleParameter;
 
 /// When the largest pulse becomes visible: at a hundredth of its excursion.
 double first_delay(const AxisResponse& r, const PulseWindow& w) {
@@ -150,9 +45,9 @@ double first_inertia(const AxisResponse& r, const PulseWindow& w) {
 /// on for minutes, without a change in what is reported.
 constexpr double times_tolerance = 1e-4;
 
-VectorXd solved(const Residuals& residuals, VectorXd p) {
-  Eigen::NumericalDiff<Residuals> numeric(residuals, 1e-12);
-  Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Residuals>> solver(numeric);
+VectorXd solved(const HandleResiduals& residuals, VectorXd p) {
+  Eigen::NumericalDiff<HandleResiduals> numeric(residuals, 1e-12);
+  Eigen::LevenbergMarquardt<Eigen::NumericalDiff<HandleResiduals>> solver(numeric);
   solver.parameters.maxfev = 100 * (residuals.inputs() + 1);
   if (!residuals.changes.empty()) solver.parameters.ftol = solver.parameters.xtol = times_tolerance;
   solver.minimize(p);
@@ -161,13 +56,13 @@ VectorXd solved(const Residuals& residuals, VectorXd p) {
 
 /// Starts from several values of friction and delay, because a start or a stop of the handle that
 /// the model lacks is a barrier between a start value and the solution.
-VectorXd best_solution(Residuals& residuals) {
+VectorXd best_solution(HandleResiduals& residuals) {
   constexpr double share = 0.1;  // of a start: six take most of the time
   VectorXd best;
   double least = std::numeric_limits<double>::infinity();
   for (const double rubs : {0.1, 0.5, 1.0})
     for (const double late : {0.5, 1.0}) {
-      VectorXd start(Index{parameter_count});
+      VectorXd start(Index{P::count});
       start << 1 / (1 + rubs), 0.3, rubs, late, 0;
       const VectorXd p = solved(residuals, start);
       const double left = residuals.at(p).squaredNorm();
@@ -181,13 +76,13 @@ VectorXd best_solution(Residuals& residuals) {
 }
 
 /// With steps relative to each parameter, away from zero, where the model has a kink.
-MatrixXd jacobian(const Residuals& residuals, const VectorXd& p) {
+MatrixXd jacobian(const HandleResiduals& residuals, const VectorXd& p) {
   constexpr double step = 1e-5;
   MatrixXd J(residuals.values(), p.size());
   for (Index i = 0; i < p.size(); ++i) {
     VectorXd less = p, more = p;
     less[i] -= std::min(step, std::abs(p[i]));
-    if (i < parameter_count || p[i] < 0.9) more[i] += step;
+    if (i < P::count || p[i] < 0.9) more[i] += step;
     J.col(i) = (residuals.at(more) - residuals.at(less)) / (more[i] - less[i]);
   }
   return J;
@@ -213,7 +108,7 @@ MatrixXd covariance(const MatrixXd& J, const VectorXd& left, const AxisResponse&
   MatrixXd spread = MatrixXd::Zero(J.cols(), J.cols());
   Index at = 0;
   for (const PulseWindow& w : windows) {
-    const Index size = size_of(response, w);
+    const Index size = measured_size(response, w);
     const MatrixXd own = J.middleRows(at, size);
     const auto change =
         solution_of(information - own.transpose() * own, own.transpose() * left.segment(at, size));
@@ -228,8 +123,8 @@ MatrixXd covariance(const MatrixXd& J, const VectorXd& left, const AxisResponse&
 
 /// The effect of the encoder's rounding on the parameters: it depends on where the handle stands
 /// between two steps, which may be much the same in all pulses of a recording.
-MatrixXd covariance_of_encoder(const MatrixXd& J, const Residuals& residuals, const VectorXd& p,
-                               double step) {
+MatrixXd covariance_of_encoder(const MatrixXd& J, const HandleResiduals& residuals,
+                               const VectorXd& p, double step) {
   constexpr int phases = 16;
   const std::vector<double> motion = residuals.modelled_by(p);
   const Eigen::LDLT<MatrixXd> information(J.transpose() * J);
@@ -239,7 +134,8 @@ MatrixXd covariance_of_encoder(const MatrixXd& J, const Residuals& residuals, co
     VectorXd error = VectorXd::Zero(J.rows());
     Index at = 0;
     for (const PulseWindow& w : *residuals.windows) {
-      const Eigen::ArrayXd steps = within(*residuals.response, motion, w).array() / step + shift;
+      const Eigen::ArrayXd steps =
+          measured_within(*residuals.response, motion, w).array() / step + shift;
       const VectorXd rounded = without_mean((steps.round() - steps).matrix());
       error.segment(at, rounded.size()) = rounded * (step / residuals.unit);
       at += rounded.size();
@@ -252,11 +148,11 @@ MatrixXd covariance_of_encoder(const MatrixXd& J, const Residuals& residuals, co
 
 /// Ratio of the residuals to their white part or the encoder's rounding: after von Neumann (1941),
 /// by second differences, which are insensitive to slow errors.
-double excess_of(const Residuals& residuals, const VectorXd& left, double encoder_step) {
+double excess_of(const HandleResiduals& residuals, const VectorXd& left, double encoder_step) {
   double squares = 0, bends = 0, samples = 0;
   Index at = 0;
   for (const PulseWindow& w : *residuals.windows) {
-    const Index size = size_of(*residuals.response, w);
+    const Index size = measured_size(*residuals.response, w);
     squares += left.segment(at, size).squaredNorm();
     for (Index i = at + 1; i + 1 < at + size; ++i) {
       const double bend = left[i - 1] - 2 * left[i] + left[i + 1];
@@ -283,7 +179,8 @@ std::vector<std::size_t> changes_of_command(const AxisResponse& r,
 }
 
 /// How far the solutions of parts of the pulses differ from that of all, linearised.
-VectorXd spread_of_parts(const MatrixXd& J, const VectorXd& left, const Residuals& residuals) {
+VectorXd spread_of_parts(const MatrixXd& J, const VectorXd& left,
+                         const HandleResiduals& residuals) {
   std::vector<double> sizes;
   for (const PulseWindow& w : *residuals.windows) sizes.push_back(w.amplitude);
   ordering::nth_element(sizes.begin(), sizes.begin() + std::ssize(sizes) / 2, sizes.end());
@@ -295,7 +192,7 @@ VectorXd spread_of_parts(const MatrixXd& J, const VectorXd& left, const Residual
     VectorXd pull = VectorXd::Zero(J.cols());
     Index at = 0;
     for (const PulseWindow& w : *residuals.windows) {
-      const Index size = size_of(*residuals.response, w);
+      const Index size = measured_size(*residuals.response, w);
       const bool in = part < 2 ? (w.amplitude >= middle) == (part == 0)
                                : (commands[w.first] > 0) == (part == 2);
       if (in) {
@@ -312,7 +209,7 @@ VectorXd spread_of_parts(const MatrixXd& J, const VectorXd& left, const Residual
 }
 
 struct Solution {
-  Residuals residuals;
+  HandleResiduals residuals;
   VectorXd p, left;
   double excess;
 };
@@ -324,14 +221,14 @@ constexpr double least_apart = 0.1;  // of a sample: if less, all are equally la
 /// Fits the times of the commands too, if that explains the residuals.
 void doubt_times(Solution& found, double encoder_step) {
   Solution freed = found;
-  Residuals& r = freed.residuals;
+  HandleResiduals& r = freed.residuals;
   r.changes = changes_of_command(*r.response, *r.windows);
   if (r.changes.empty()) return;
   // The prior of a share between 0 and 1, relative to residuals of the expected size.
   constexpr double deviation = 0.29;
   r.prior = std::max(encoder_step / r.unit / std::sqrt(12.0), 1e-5) / deviation;
   freed.p = VectorXd::Zero(r.inputs());
-  freed.p.head(Index{parameter_count}) = found.p;
+  freed.p.head(Index{P::count}) = found.p;
   freed.p = solved(r, freed.p);
   freed.left = r.at(freed.p);
   freed.excess = excess_of(r, freed.left, encoder_step);
@@ -342,15 +239,6 @@ void doubt_times(Solution& found, double encoder_step) {
 
 }  // namespace
 
-double student_t_99(double degrees) {
-  constexpr double x = 2.5758293035489004;  // of the normal distribution
-  constexpr double x3 = x * x * x, x5 = x3 * x * x, x7 = x5 * x * x, x9 = x7 * x * x;
-  const double n = degrees;
-  return x + (x3 + x) / (4 * n) + (5 * x5 + 16 * x3 + 3 * x) / (96 * n * n) +
-         (3 * x7 + 19 * x5 + 17 * x3 - 15 * x) / (384 * n * n * n) +
-         (79 * x9 + 776 * x7 + 1482 * x5 - 1920 * x3 - 945 * x) / (92160 * n * n * n * n);
-}
-
 HandleFit fit_handle(const AxisResponse& response, const std::vector<PulseWindow>& windows,
                      double encoder_step, const Progress& progress) {
   if (windows.size() < 8) throw std::invalid_argument("fewer than eight pulses");
@@ -359,8 +247,8 @@ HandleFit fit_handle(const AxisResponse& response, const std::vector<PulseWindow
   const double lasts = response.times[largest.last - 1] - response.times[largest.first];
   const double sample = lasts / static_cast<double>(largest.last - 1 - largest.first);
   const double least = std::ranges::min_element(windows, {}, &PulseWindow::amplitude)->amplitude;
-  const Scale scale{seen, seen / lasts, least / 2, std::max(first_delay(response, largest), sample),
-                    least / 10};
+  const HandleScale scale{seen, seen / lasts, least / 2,
+                          std::max(first_delay(response, largest), sample), least / 10};
   Solution found{{.response = &response,
                   .windows = &windows,
                   .scale = scale,
@@ -384,19 +272,19 @@ HandleFit fit_handle(const AxisResponse& response, const std::vector<PulseWindow
   const MatrixXd C =
       covariance(J, left, response, windows) + covariance_of_encoder(J, residuals, p, encoder_step);
   const double t = student_t_99(static_cast<double>(windows.size() - 1));
-  const auto estimate = [&](Parameter i) {
+  const auto estimate = [&](P::Index i) {
     const double unit = scale[static_cast<std::size_t>(i)];
     const double value = std::abs(p[i]) * unit;
     // All commands may be equally late, which is indistinguishable from a delay.
-    const double late = i == delay && between ? sample / 2 : 0;
+    const double late = i == P::delay && between ? sample / 2 : 0;
     const double half = (t * std::sqrt(std::max(0.0, C(i, i))) + apart[i]) * unit + late;
     return Estimate{value, std::max(0.0, value - half), value + half};
   };
-  return {.inertia = estimate(inertia),
-          .damping = estimate(damping),
-          .friction = estimate(friction),
-          .delay = estimate(delay),
-          .offset = p[offset] * scale[offset],
+  return {.inertia = estimate(P::inertia),
+          .damping = estimate(P::damping),
+          .friction = estimate(P::friction),
+          .delay = estimate(P::delay),
+          .offset = p[P::offset] * scale[P::offset],
           .misfit = std::sqrt(left.squaredNorm() / static_cast<double>(left.size())),
           .excess = excess,
           .between = between,
