@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/hint_view.hpp"
 
-#include <QLinearGradient>
 #include <QPaintEvent>
 #include <QPainter>
 #include <QPalette>
@@ -17,7 +16,6 @@ namespace {
 constexpr int margin = 14;
 constexpr int fade_ms = 600;
 constexpr double least_room = 0.45;   // share of the view that hint and legend leave to the bodies
-constexpr double triad_size = 70;     // pixels
 constexpr double beside_legend = 36;  // pixels, for the marks and the edges
 constexpr double course_width = 150, course_height = 34;  // pixels
 const QColor plate(14, 17, 21, 165), light_plate(255, 255, 255, 240);
@@ -167,7 +165,7 @@ void HintView::paintEvent(QPaintEvent* event) {
   draw_triad(painter);
   draw_ruler(painter);
   draw_banner(painter);
-  draw_scale(painter);
+  draw_colours(painter);
 }
 
 /// Where it would be, on show or not.
@@ -367,35 +365,17 @@ void HintView::draw_banner(QPainter& painter) const {
 }
 
 QRectF HintView::scale_box() const {
-  if (scale_.colours.empty()) return {};
-  constexpr double tall = 170;
-  const QFontMetricsF metrics(font());
-  double wide = metrics.horizontalAdvance(scale_.title);
-  for (const QString& tick : scale_.ticks)
-    wide = std::max(wide, metrics.horizontalAdvance(tick) + 24);
+  const QSizeF size = scale_size(scale_, QFontMetricsF(font()));
+  if (size.isEmpty()) return {};
   const double top = banner_box(pause_banner()).bottom() + margin;
-  return {width() - margin - wide - 18, top, wide + 18, tall + metrics.height() + 22};
+  return {QPointF(width() - margin - size.width(), top), size};
 }
 
-void HintView::draw_scale(QPainter& painter) const {
+void HintView::draw_colours(QPainter& painter) const {
   if (scale_.colours.empty()) return;
-  const QFontMetricsF metrics(font());
-  const QRectF box = scale_box();
-  draw_plate(painter, box, palette());
+  draw_plate(painter, scale_box(), palette());
   painter.setPen(palette().color(QPalette::WindowText));
-  painter.drawText(QPointF(box.left() + 9, box.top() + 5 + metrics.ascent()), scale_.title);
-  const QRectF bar(box.left() + 9, box.top() + metrics.height() + 14, 14,
-                   box.height() - metrics.height() - 26);
-  QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
-  const double last = std::max(double(scale_.colours.size()) - 1, 1.0);
-  for (std::size_t i = 0; i < scale_.colours.size(); ++i)
-    gradient.setColorAt(double(i) / last, scale_.colours[i]);
-  painter.fillRect(bar, gradient);
-  for (int i = 0; i < scale_.ticks.size(); ++i) {
-    const double y = bar.bottom() - bar.height() * i / std::max(scale_.ticks.size() - 1, 1);
-    painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 4, y));
-    painter.drawText(QPointF(bar.right() + 8, y + metrics.ascent() / 2 - 1), scale_.ticks[i]);
-  }
+  draw_scale(painter, scale_box(), scale_);
 }
 
 }  // namespace sonde::ui

@@ -5,13 +5,13 @@
 #include <QPointF>
 #include <QPolygonF>
 #include <QString>
-#include <QStringList>
 #include <QVariantAnimation>
 #include <QWidget>
 #include <array>
 #include <vector>
 
 #include "engine/geometry/pose.hpp"
+#include "ui/views/colour_scale.hpp"
 #include "ui/views/force_note.hpp"
 #include "ui/views/legend_mark.hpp"
 
@@ -26,13 +26,6 @@ struct PlacedLabel {
   QColor colour;
   QPolygonF stroke{};
   ForceNote note{};
-};
-
-/// The meaning of colours over a range: the first at the first tick, the last at the last.
-struct ColourScale {
-  QString title;
-  std::vector<QColor> colours;
-  QStringList ticks;  ///< at even distances
 };
 
 /// All text in the view, drawn by Qt on a transparent sheet above the picture: the legend (colours
@@ -98,7 +91,7 @@ class HintView : public QWidget {
   QRectF triad_box() const;
   void draw_triad(QPainter& painter) const;
   QRectF scale_box() const;
-  void draw_scale(QPainter& painter) const;
+  void draw_colours(QPainter& painter) const;
 
   std::vector<LegendLine> legend_;
   std::vector<PlacedLabel> labels_;
