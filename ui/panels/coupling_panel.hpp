@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/haptics/coupling/coupling.hpp"
+#include "engine/haptics/coupling/gain_glide.hpp"
 
 class QButtonGroup;
 class QLabel;

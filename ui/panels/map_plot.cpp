@@ -3,22 +3,18 @@
 
 #include <vtkAxis.h>
 #include <vtkChartXY.h>
-#include <vtkContextScene.h>
-#include <vtkNew.h>
-#include <vtkPen.h>
-#include <vtkPlotPoints.h>
 
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPolygonF>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "ui/base/theme.hpp"
 #include "ui/panels/chart_legend.hpp"
 #include "ui/panels/chart_style.hpp"
+#include "ui/panels/map_chart.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -28,36 +24,6 @@ constexpr double cells_left = 48, cells_right = 22, cells_foot = 38;
 constexpr double cells_head = 20, cells_head_untitled = 6;
 constexpr double tick_room = 24;  // of a damping
 constexpr double name_edge = 5;
-
-const QColor light_line(240, 244, 248);
-
-constexpr std::array classes{MapClass::passive, MapClass::stable, MapClass::chattering,
-                             MapClass::saturated, MapClass::unstable};
-
-QColor colour_of(MapClass map_class) {
-  constexpr std::array rgb{0xa1403bu, 0x4f7fb0u, 0xc9952fu, 0x6f9440u, 0x2c7a58u};
-  return QColor(QRgb(rgb.at(static_cast<std::size_t>(map_class))));
-}
-
-/// Lines and points as they are seen on the map: on a window of its own shade one may be lost.
-std::vector<LegendEntry> map_legend() {
-  std::vector<LegendEntry> entries;
-  entries.reserve(classes.size());
-  for (const MapClass each : classes)
-    entries.push_back({QStringLiteral("■"), colour_of(each), QLatin1String(name_of(each))});
-  const QColor behind = colour_of(MapClass::passive);
-  const auto on_map = [&](const char* mark, const QColor& colour, const char* words) {
-    entries.push_back({QString::fromUtf8(mark), colour, QLatin1String(words), behind});
-  };
-  on_map("——", light_line, "limit, measured");
-  on_map("– –", light_line, "in theory");
-  on_map("····", light_line, "passive in theory");
-  // There at all times: with it, the cells would move as contacts come and go.
-  on_map("□", colour::contact, "contact now");
-  on_map("●", Qt::white, "gains now");
-  on_map("◆", colour::ghost, "recommended");
-  return entries;
-}
 
 QString label_of(GainAxis axis, const char* what, const char* key, const QString& unit) {
   return QStringLiteral("%1 %2, %3%4")
@@ -71,117 +37,11 @@ QPointF line_end() {
   return {none, none};
 }
 
-/// What is drawn over the cells, from below.
-enum Mark : std::size_t {
-  stable,
-  theory_stable,
-  theory_passive,
-  contact_frame,
-  contact_stable,
-  recommended_across,
-  recommended_at,
-  now_across,
-  now_at,
-  mark_count
-};
-
-/// A line, or points, with a dark edge: to be told from every colour of the map.
-struct Look {
-  QColor edge;
-  double edge_width;  ///< px
-  QColor colour;
-  double width;  ///< px
-  int line = vtkPen::SOLID_LINE, marker = VTK_MARKER_NONE;
-};
-const std::array<Look, mark_count>& looks() {
-  constexpr int solid = vtkPen::SOLID_LINE;
-  static const QColor faint(0, 0, 0, 120), across(0, 0, 0, 160);
-  static const std::array<Look, mark_count> all{
-      {{faint, 3.2, light_line, 1.6},
-       {faint, 3.2, light_line, 1.6, vtkPen::DASH_LINE},
-       {faint, 3.2, light_line, 1.6, vtkPen::DOT_LINE},
-       {Qt::black, 3.5, colour::contact, 1.8},
-       {Qt::black, 6, colour::contact, 3.5},
-       {across, 4, colour::ghost, 2},
-       {Qt::black, 14, colour::ghost, 11, solid, VTK_MARKER_DIAMOND},
-       {across, 4, Qt::white, 2},
-       {Qt::black, 12, Qt::white, 10, solid, VTK_MARKER_CIRCLE}}};
-  return all;
-}
-
-vtkPlotPoints* add_mark(vtkChartXY& chart, const Look& look, const QColor& colour) {
-  const bool line = look.marker == VTK_MARKER_NONE;
-  auto* plot = vtkPlotPoints::SafeDownCast(line ? add_line(chart) : add_markers(chart));
-  plot->SetMarkerStyle(look.marker);
-  set_pen(*plot->GetPen(), colour);
-  return plot;
-}
-
 }  // namespace
-
-/// The axes count decimal logarithms of stiffness, and dampings or rows.
-struct MapPlot::Drawn {
-  explicit Drawn(vtkContextScene& scene) {
-    set_up(*chart);
-    chart->SetVisible(false);
-    for (const int place : {vtkAxis::BOTTOM, vtkAxis::LEFT})
-      chart->GetAxis(place)->SetGridVisible(false);  // it would be beneath the cells
-    scene.AddItem(chart);
-    for (const MapClass each : classes) cells.push_back(add_boxes(*chart, colour_of(each)));
-    grid = add_line(*chart);
-    set_pen(*grid->GetPen(), QColor(0, 0, 0, 70));
-    for (const Look& look : looks()) {
-      edges.push_back(add_mark(*chart, look, look.edge));
-      marks.push_back(add_mark(*chart, look, look.colour));
-      marks.back()->GetPen()->SetLineType(look.line);
-    }
-  }
-
-  void fill_cells(const StabilityMap& map) {
-    for (std::size_t i = 0; i < classes.size(); ++i) {
-      std::vector<QRectF> boxes;
-      for (const MapRow& row : map.rows)
-        for (const MapRow::Stretch& stretch : row.stretches)
-          if (stretch.map_class == classes.at(i))
-            boxes.emplace_back(QPointF(std::log10(stretch.from), row.from),
-                               QPointF(std::log10(stretch.to), row.to));
-      set_boxes(*cells[i], boxes);
-    }
-  }
-
-  void set_axis(int place, double from, double to, const std::vector<AxisMark>& at) {
-    chart->GetAxis(place)->SetRange(from, to);
-    set_marks(*chart->GetAxis(place), at);
-  }
-
-  void draw(std::size_t mark, const std::vector<QPointF>& points) {
-    for (vtkPlotPoints* plot : {edges[mark], marks[mark]}) {
-      set_points(*plot, points);
-      plot->SetVisible(!points.empty());
-    }
-  }
-
-  void widen(double ratio) {
-    const auto set = [ratio](vtkPlotPoints& plot, double width) {
-      plot.SetWidth(float(width * ratio));
-      plot.SetMarkerSize(float(width * ratio));
-    };
-    for (std::size_t i = 0; i < mark_count; ++i) {
-      set(*edges[i], looks().at(i).edge_width);
-      set(*marks[i], looks().at(i).width);
-    }
-    grid->SetWidth(float(ratio));
-  }
-
-  vtkNew<vtkChartXY> chart;
-  std::vector<vtkPlot*> cells;
-  vtkPlot* grid = nullptr;
-  std::vector<vtkPlotPoints*> edges, marks;
-};
 
 MapPlot::MapPlot(QWidget* parent)
     : ChartCanvas(parent),
-      drawn_(std::make_unique<Drawn>(scene())),
+      chart_(std::make_unique<MapChart>(scene())),
       legend_(new ChartLegend(this)) {
   setObjectName(QStringLiteral("map_plot"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -194,18 +54,15 @@ MapPlot::~MapPlot() = default;
 
 void MapPlot::set_map(const StabilityMap& map) {
   map_ = map;
-  drawn_->fill_cells(map_);
-  drawn_->draw(stable, path(map_.rows, &MapRow::stable));
-  drawn_->draw(theory_stable, path(map_.rows, &MapRow::theory_stable));
-  drawn_->draw(theory_passive, path(map_.rows, &MapRow::theory_passive));
-  drawn_->chart->SetTitle(map_.over_damping ? label_of(map_.axis, "damping", damping_key(map_.axis),
-                                                       damping_unit(map_.axis))
-                                                  .toStdString()
-                                            : std::string());
-  drawn_->chart->GetAxis(vtkAxis::BOTTOM)
-      ->SetTitle(
-          label_of(map_.axis, "stiffness", stiffness_key(map_.axis), stiffness_unit(map_.axis))
-              .toStdString());
+  chart_->fill_cells(map_);
+  chart_->draw(MapMark::stable, path(map_.rows, &MapRow::stable));
+  chart_->draw(MapMark::theory_stable, path(map_.rows, &MapRow::theory_stable));
+  chart_->draw(MapMark::theory_passive, path(map_.rows, &MapRow::theory_passive));
+  chart_->set_titles(
+      map_.over_damping
+          ? label_of(map_.axis, "damping", damping_key(map_.axis), damping_unit(map_.axis))
+          : QString(),
+      label_of(map_.axis, "stiffness", stiffness_key(map_.axis), stiffness_unit(map_.axis)));
   set_names();
   redraw();
 }
@@ -314,19 +171,19 @@ std::optional<MapClass> MapPlot::map_class(const MapPoint& point) const {
 
 void MapPlot::arrange(double ratio) {
   legend_->setVisible(!map_.rows.empty());
-  drawn_->chart->SetVisible(!map_.rows.empty());
+  chart_->show(!map_.rows.empty());
   if (map_.rows.empty()) return;
   legend_->arrange();
   const QRectF cells = area();
-  place_chart(*drawn_->chart, cells, ratio);
-  set_theme(*drawn_->chart, palette());
+  place_chart(chart_->chart(), cells, ratio);
+  set_theme(chart_->chart(), palette());
   arrange_axes(cells);
   arrange_names(cells);
   draw_contact(cells);
-  draw_point(recommended_, recommended_at, recommended_across);
-  draw_point(now_, now_at, now_across);
-  drawn_->widen(ratio);
-  drawn_->chart->RecalculateBounds();
+  draw_point(recommended_, MapMark::recommended_at, MapMark::recommended_across);
+  draw_point(now_, MapMark::now_at, MapMark::now_across);
+  chart_->widen(ratio);
+  chart_->chart().RecalculateBounds();
 }
 
 void MapPlot::arrange_axes(const QRectF& cells) {
@@ -337,14 +194,14 @@ void MapPlot::arrange_axes(const QRectF& cells) {
     across = round_marks(all.top(), all.bottom(), cells.height(), tick_room);
   else
     for (const MapRow& row : map_.rows) across.push_back({row.to, {}});
-  drawn_->set_axis(vtkAxis::BOTTOM, all.left(), all.right(), upright);
-  drawn_->set_axis(vtkAxis::LEFT, all.top(), all.bottom(), across);
+  chart_->set_axis(vtkAxis::BOTTOM, all.left(), all.right(), upright);
+  chart_->set_axis(vtkAxis::LEFT, all.top(), all.bottom(), across);
   std::vector<QPointF> grid;
   for (const auto& [x, text] : upright)
     if (!text.isEmpty()) grid.insert(grid.end(), {{x, all.top()}, {x, all.bottom()}, line_end()});
   for (const auto& [y, text] : across)
     grid.insert(grid.end(), {{all.left(), y}, {all.right(), y}, line_end()});
-  set_points(*drawn_->grid, grid);
+  chart_->set_grid(grid);
 }
 
 /// On a plate where they are of the present contact's kind.
@@ -392,18 +249,18 @@ void MapPlot::draw_contact(const QRectF& cells) {
       frame.push_back(line_end());
     }
   }
-  drawn_->draw(contact_frame, frame);
-  drawn_->draw(contact_stable, path(own, &MapRow::stable));
+  chart_->draw(MapMark::contact_frame, frame);
+  chart_->draw(MapMark::contact_stable, path(own, &MapRow::stable));
 }
 
 /// Over situations with a line across, for the gains are the same in each.
-void MapPlot::draw_point(const std::optional<MapPoint>& point, std::size_t mark, std::size_t line) {
+void MapPlot::draw_point(const std::optional<MapPoint>& point, MapMark mark, MapMark line) {
   std::vector<QPointF> at, across;
   if (point) at.push_back(on_axes(*point));
   if (point && !map_.over_damping)
     across = {{at[0].x(), ranges().top()}, {at[0].x(), ranges().bottom()}};
-  drawn_->draw(line, across);
-  drawn_->draw(mark, at);
+  chart_->draw(line, across);
+  chart_->draw(mark, at);
 }
 
 }  // namespace sonde::ui

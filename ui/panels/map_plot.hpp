@@ -14,6 +14,8 @@ class QLabel;
 namespace sonde::ui {
 
 class ChartLegend;
+class MapChart;
+enum class MapMark : std::size_t;
 
 /// A stability map: coloured cells of stiffness by damping, the measured and the theoretical limits
 /// as lines, the present and the recommended gains as points. Where rows are situations, the points
@@ -59,7 +61,6 @@ class MapPlot : public ChartCanvas {
   void mouseReleaseEvent(QMouseEvent* event) override;
 
  private:
-  struct Drawn;
   /// Of the cells, px.
   QRectF area() const;
   /// In the units of the axes, rising from the top of the rectangle to its bottom.
@@ -73,9 +74,9 @@ class MapPlot : public ChartCanvas {
   void arrange_axes(const QRectF& cells);
   void arrange_names(const QRectF& cells);
   void draw_contact(const QRectF& cells);
-  void draw_point(const std::optional<MapPoint>& point, std::size_t mark, std::size_t line);
+  void draw_point(const std::optional<MapPoint>& point, MapMark mark, MapMark line);
 
-  std::unique_ptr<Drawn> drawn_;
+  std::unique_ptr<MapChart> chart_;
   ChartLegend* legend_;
   std::vector<QLabel*> names_;  ///< of the rows that are situations
   StabilityMap map_, of_contact_;

@@ -3,20 +3,18 @@
 
 #include <QComboBox>
 #include <QFileInfo>
-#include <QFormLayout>
 #include <QGroupBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
 
 #include "engine/settings/settings.hpp"
 #include "ui/base/format.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/panels/curves_dialog.hpp"
-#include "ui/panels/history_plot.hpp"
+#include "ui/panels/last_second_box.hpp"
 #include "ui/panels/map_plot.hpp"
 #include "ui/panels/scrolled.hpp"
 #include "ui/panels/study_box.hpp"
@@ -34,23 +32,6 @@ QString words_of(GainAxis axis) {
   if (axis == GainAxis::together_b_t) return QStringLiteral("all, b_t by itself");
   if (axis == GainAxis::together_b_r) return QStringLiteral("all, b_r by itself");
   return QLatin1String(name_of(axis)) + QStringLiteral(" alone");
-}
-
-QString words_of(const Buzz& buzz) {
-  const Chatter& c = buzz.chatter;
-  if (!buzz.loop) return QStringLiteral("none: no force moves a mouse");
-  if (!(c.force > 0)) return QStringLiteral("none");
-  const QString swing = QStringLiteral("%1 N at %2 Hz").arg(number(c.force), number(c.frequency));
-  return c.buzzes() ? in_colour(colour::force, swing + QStringLiteral(", buzzing")) : swing;
-}
-
-QString gains_words(const Buzz& buzz) {
-  if (buzz.waiting)
-    return in_colour(colour::force,
-                     QStringLiteral("%1; those set wait: unstable in this contact")
-                         .arg(gains_text(buzz.rendered).replace('\n', QStringLiteral(", "))));
-  if (buzz.capped) return in_colour(colour::force, QStringLiteral("as much as the device bears"));
-  return QStringLiteral("as set");
 }
 
 QLabel* wrapped(const char* object, QWidget* parent) {
@@ -72,14 +53,14 @@ StiffnessPanel::StiffnessPanel(const std::vector<std::string>& device_ids, QWidg
   progress_ = new StudyProgressRow(this);
   connect(progress_, &StudyProgressRow::stop_asked, this, &StiffnessPanel::stop_asked);
   layout->addWidget(progress_);
-  build_last_second(*layout);
+  last_second_ = new LastSecondBox(this);
+  layout->addWidget(last_second_);
   build_map(*layout);
   words_ = wrapped("recommendation", this);
   layout->addWidget(words_);
   build_study(*layout, device_ids);
   layout->addStretch();
   show_tuning({});
-  show_buzz({}, 0);
 }
 
 QPushButton* StiffnessPanel::button(const QString& text, const char* object, const QString& doc) {
@@ -87,43 +68,6 @@ QPushButton* StiffnessPanel::button(const QString& text, const char* object, con
   out->setObjectName(QLatin1String(object));
   out->setToolTip(doc);
   return out;
-}
-
-void StiffnessPanel::build_last_second(QVBoxLayout& layout) {
-  auto* group = new QGroupBox(QStringLiteral("Last second, measured"), this);
-  auto* form = new QFormLayout(group);
-  form->setContentsMargins(0, 4, 0, 0);
-  form->setVerticalSpacing(3);
-  const auto value = [&](const QString& name, const char* object, const QString& doc) {
-    auto* label = new QLabel(name, group);
-    auto* number = new QLabel(group);
-    number->setObjectName(QLatin1String(object));
-    number->setAlignment(Qt::AlignRight);
-    number->setTextFormat(Qt::RichText);
-    label->setToolTip(doc);
-    number->setToolTip(doc);
-    form->addRow(label, number);
-    return number;
-  };
-  chatter_ = value(QStringLiteral("chatter"), "chatter_value",
-                   QStringLiteral("The force of what the loop makes swing between 20 and 500 Hz, "
-                                  "and how fast it swings. It buzzes where a hand can feel it: "
-                                  "from %1 m/s² of the handle on. What the hand itself does, and "
-                                  "knocks that ring, are none.")
-                       .arg(number(felt_acceleration)));
-  energy_ = value(QStringLiteral("energy to the hand"), "energy_value",
-                  QStringLiteral("Net work of force and torque on the hand. Over a whole contact a "
-                                 "passive wall gives none."));
-  rendered_ =
-      value(QStringLiteral("gains"), "rendered_gains",
-            QStringLiteral("Gains stiffer than the device bears by its maker's word are "
-                           "taken as that. In a contact, gains that would be unstable in it, "
-                           "by an estimate, wait until it is left."));
-  for (QLabel* words : {chatter_, rendered_}) words->setWordWrap(true);
-  chatter_plot_ = new HistoryPlot(QStringLiteral("chatter"), colour::contact, group);
-  chatter_plot_->set_unit(1, QStringLiteral("N"));
-  form->addRow(chatter_plot_);
-  layout.addWidget(group);
 }
 
 void StiffnessPanel::build_sets(QVBoxLayout& layout) {
@@ -203,11 +147,6 @@ void StiffnessPanel::build_study(QVBoxLayout& layout, const std::vector<std::str
   connect(study_, &StudyBox::compute_asked, this, &StiffnessPanel::compute_asked);
   connect(study_, &StudyBox::save_asked, this, &StiffnessPanel::save_asked);
   layout.addWidget(study_);
-}
-
-void StiffnessPanel::clear_history() {
-  chatter_plot_->clear();
-  show_buzz({}, 0);
 }
 
 void StiffnessPanel::show_tuning(const std::optional<Tuning>& tuning) {
@@ -384,18 +323,10 @@ void StiffnessPanel::show_sets(const std::array<Coupling, 2>& sets, std::size_t 
   }
 }
 
+void StiffnessPanel::clear_history() { last_second_->clear_history(); }
+
 void StiffnessPanel::show_buzz(const std::optional<Buzz>& buzz, double time) {
-  if (!buzz) {
-    chatter_->setText(QStringLiteral("–"));
-    energy_->setText(QStringLiteral("–"));
-    rendered_->setText(QStringLiteral("–"));
-    return;
-  }
-  chatter_->setText(words_of(*buzz));
-  rendered_->setText(gains_words(*buzz));
-  energy_->setText(number(1e3 * buzz->energy) + QStringLiteral(" mJ"));
-  chatter_plot_->add(time, buzz->chatter.force);
-  chatter_plot_->update();
+  last_second_->show_buzz(buzz, time);
 }
 
 std::string StiffnessPanel::device_id() const { return study_->device_id(); }

@@ -18,7 +18,7 @@ class QVBoxLayout;
 namespace sonde::ui {
 
 class CurvesDialog;
-class HistoryPlot;
+class LastSecondBox;
 class MapPlot;
 class StudyBox;
 class StudyProgressRow;
@@ -71,7 +71,6 @@ class StiffnessPanel : public QDockWidget {
   void build_study(QVBoxLayout& layout, const std::vector<std::string>& device_ids);
   void build_map(QVBoxLayout& layout);
   void build_sets(QVBoxLayout& layout);
-  void build_last_second(QVBoxLayout& layout);
   void choose_axes();
   void show_map();
   void show_curves();
@@ -93,11 +92,11 @@ class StiffnessPanel : public QDockWidget {
   StudyProgressRow* progress_;
   QWidget* map_box_;
   MapPlot* plot_;
-  QLabel *doubt_, *place_, *words_, *chatter_, *energy_, *rendered_;
+  QLabel *doubt_, *place_, *words_;
   QPushButton *apply_, *of_device_;
   CurvesDialog* curves_ = nullptr;  ///< made when it is first asked for
   std::array<QPushButton*, 2> sets_;
-  HistoryPlot* chatter_plot_;
+  LastSecondBox* last_second_;
 };
 
 }  // namespace sonde::ui
