@@ -56,9 +56,8 @@ Content DocumentControl::now() const {
 
 Pose DocumentControl::here() const {
   // What is on show may still be the bodies of before an undo.
-  Session* session = view_.session();
-  const bool on_show = session && document_.content().bodies == on_show_;
-  return on_show ? session->device_pose() : document_.content().here;
+  const bool on_show = session_ && document_.content().bodies == on_show_;
+  return on_show ? session_->device_pose() : document_.content().here;
 }
 
 void DocumentControl::place(const Pose& X_FM, const QString& what, bool mergeable) {
@@ -112,13 +111,11 @@ void DocumentControl::start_from_here() {
 }
 
 void DocumentControl::copy_pose() {
-  if (view_.session())
-    QApplication::clipboard()->setText(QString::fromStdString(pose_text(here())));
+  if (session_) QApplication::clipboard()->setText(QString::fromStdString(pose_text(here())));
 }
 
 void DocumentControl::copy_matrix() {
-  if (view_.session())
-    QApplication::clipboard()->setText(QString::fromStdString(matrix_text(here())));
+  if (session_) QApplication::clipboard()->setText(QString::fromStdString(matrix_text(here())));
 }
 
 void DocumentControl::paste_pose() {
@@ -270,18 +267,17 @@ void DocumentControl::apply(const Content& from, const Content& to) {
   if (to.bodies != on_show_) return show_bodies(to);
   if (std::exchange(showing_, false))
     opener_.abandon();  // of what was gone back from before it was on show
-  Session* session = view_.session();
-  if (!session) return;
+  if (!session_) return;
   if (!same(from.scene.coupling, to.scene.coupling)) emit coupling_changed(to.scene.coupling);
   if (!same(from.scene.device.settings, to.scene.device.settings) && to.scene.device.settings)
     emit device_settings_changed(*to.scene.device.settings);
   if (from.scene.servo.budget.microseconds != to.scene.servo.budget.microseconds ||
       from.scene.servo.accuracy != to.scene.servo.accuracy)
-    session->set_knob(to.scene.servo);
+    session_->set_knob(to.scene.servo);
   if (const auto looks = looks_of(to.scene.fixed); looks != looks_of(from.scene.fixed))
     emit parts_changed(looks);
-  session->set_start(relative_pose(to.scene));
-  if (!same(from.here, to.here) && !same(session->device_pose(), to.here))
+  session_->set_start(relative_pose(to.scene));
+  if (!same(from.here, to.here) && !same(session_->device_pose(), to.here))
     emit place_wanted(to.here);
   emit changed();
 }
@@ -295,8 +291,8 @@ void DocumentControl::show_bodies(const Content& wanted) {
     // The session took its time: more may have been done or undone meanwhile.
     const Content& content = document_.content();
     if (!content.bodies->parts.empty()) emit parts_changed(looks_of(content.scene.fixed));
-    view_.session()->set_start(relative_pose(content.scene));
-    if (!same(view_.session()->device_pose(), content.here)) emit place_wanted(content.here);
+    session_->set_start(relative_pose(content.scene));
+    if (!same(session_->device_pose(), content.here)) emit place_wanted(content.here);
     watch();
     emit changed();
   };

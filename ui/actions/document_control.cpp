@@ -16,6 +16,7 @@
 #include "ui/document/paths_asked_for.hpp"
 #include "ui/document/pose_text.hpp"
 #include "ui/document/recent_files.hpp"
+#include "ui/views/viewport.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -30,8 +31,8 @@ QString text_of(const std::filesystem::path& path) { return QString::fromStdStri
 
 }  // namespace
 
-DocumentControl::DocumentControl(Opener& opener, Prompts& prompts, DocumentView view)
-    : opener_(opener), prompts_(prompts), view_(std::move(view)), recovery_(recovery_folder()) {
+DocumentControl::DocumentControl(Opener& opener, Prompts& prompts, const Viewport& view)
+    : opener_(opener), prompts_(prompts), view_(view), recovery_(recovery_folder()) {
   connect(&document_, &Document::changed, this, &DocumentControl::apply);
   connect(&document_.stack(), &QUndoStack::indexChanged, this, [this](int index) {
     note_index(index);
@@ -207,7 +208,7 @@ void DocumentControl::reload(const QString& file, const QString& what,
         reading_scene_ = false;
         // What was changed while it was read counts: once more, from there.
         if (document_.text() != before) return file_changed(file);
-        const CameraPlace camera = view_.camera();
+        const CameraPlace camera = view_.place();
         const Pose stays = here();
         emit show_wanted(drawn, false);
         emit look_wanted(camera);
@@ -231,18 +232,18 @@ std::string DocumentControl::text_for_recovery() const {
 
 Recovered DocumentControl::for_recovery() const {
   const Content content = now();
-  return {content.scene, document_.saved_text(), content.here, view_.camera(),
+  return {content.scene, document_.saved_text(), content.here, view_.place(),
           QDateTime::currentDateTime()};
 }
 
 void DocumentControl::keep_for_recovery() {
-  if (document_.empty() || !view_.session()) return;
+  if (document_.empty() || !session_) return;
   const std::string text = text_for_recovery();
   if (text != kept_ && recovery_.keep(for_recovery())) kept_ = text;
 }
 
 void DocumentControl::leave_to_recovery() {
-  if (!document_.empty() && view_.session() && text_for_recovery() != kept_)
+  if (!document_.empty() && session_ && text_for_recovery() != kept_)
     recovery_.keep_now(for_recovery());
   recovery_.leave();
 }

@@ -19,19 +19,15 @@
 namespace sonde::ui {
 
 class Opener;
-
-/// What the document asks of the window.
-struct DocumentView {
-  std::function<Session*()> session;
-  std::function<CameraPlace()> camera;
-};
+class Viewport;
 
 /// Everything about the document as a whole: opening, saving, leaving, recovering, following
 /// changes on disk; and the commands that change it (document_commands.cpp).
 class DocumentControl : public QObject {
   Q_OBJECT
  public:
-  DocumentControl(Opener& opener, Prompts& prompts, DocumentView view);
+  /// The view, whose camera is kept with what is open.
+  DocumentControl(Opener& opener, Prompts& prompts, const Viewport& view);
 
   Document& document() { return document_; }
 
@@ -48,6 +44,8 @@ class DocumentControl : public QObject {
   bool save();
   bool save_as();
 
+  /// Another session is open, or none.
+  void attach(Session* session) { session_ = session; }
   /// Another document is shown.
   void opened(const Session& session);
   /// Offers the document that a program that died has left. False: there is none, or the user does
@@ -124,7 +122,8 @@ class DocumentControl : public QObject {
 
   Opener& opener_;
   Prompts& prompts_;
-  DocumentView view_;
+  const Viewport& view_;
+  Session* session_ = nullptr;
   Document document_;
   std::optional<DrawnSession> ready_;      ///< of a command that is about to be done
   std::shared_ptr<const Bodies> on_show_;  ///< the bodies of the session

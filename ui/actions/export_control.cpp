@@ -13,7 +13,9 @@
 
 #include "engine/base/error.hpp"
 #include "ui/actions/animation.hpp"
+#include "ui/actions/history_control.hpp"
 #include "ui/actions/meshes_dialog.hpp"
+#include "ui/actions/prompts.hpp"
 #include "ui/base/progress_dialog.hpp"
 #include "ui/export/image_file.hpp"
 #include "ui/export/tables.hpp"
@@ -30,12 +32,18 @@ std::filesystem::path path_of(const QString& file) { return file.toStdString(); 
 
 }  // namespace
 
-ExportControl::ExportControl(Viewport& viewport, QWidget& window)
-    : QObject(&window), viewport_(viewport), job_(&window) {
+ExportControl::ExportControl(Viewport& viewport, const std::optional<Instant>& shown,
+                             HistoryControl& history, const Prompts& prompts, QWidget& window)
+    : QObject(&window),
+      viewport_(viewport),
+      shown_(shown),
+      history_(history),
+      prompts_(prompts),
+      job_(&window) {
   QWidget* parent = &window;
   ask_picture = [parent, this](ExportDialog::Of of) -> std::optional<PictureWanted> {
     Span all;
-    if (const auto kept = ticks ? ticks() : std::nullopt) all = {kept->first, kept->last};
+    if (const auto kept = history_.ticks_on_show()) all = {kept->first, kept->last};
     ExportDialog dialog(of, viewport_.size(), all, parent);
     if (dialog.exec() != QDialog::Accepted) return std::nullopt;
     return dialog.wanted();
@@ -64,7 +72,7 @@ Surfaces ExportControl::surfaces() const {
 
 /// One at a time: a second one would abandon the first.
 bool ExportControl::may_begin() {
-  if (!drawn_ || !instant()) return false;
+  if (!drawn_ || !shown_) return false;
   if (!busy()) return true;
   emit failed(QStringLiteral("An export is going on: wait until it has ended, or cancel it."));
   return false;
@@ -75,7 +83,7 @@ bool ExportControl::may_write_contacts(const QString& file) const {
   const std::filesystem::path contacts = contacts_file_of(path_of(file));
   std::error_code none;
   return !std::filesystem::exists(contacts, none) ||
-         ask_replace(QString::fromStdString(contacts.string()));
+         prompts_.ask_replace(QString::fromStdString(contacts.string()));
 }
 
 /// Does it, and says how it went.
@@ -100,21 +108,21 @@ void ExportControl::export_picture() {
   if (!wanted) return;
   const QString file = ask_file(QStringLiteral("Export a picture"), QStringLiteral("sonde.png"),
                                 QStringLiteral("Pictures (*.png)"));
-  if (file.isEmpty() || !drawn_ || !instant()) return;
+  if (file.isEmpty() || !drawn_ || !shown_) return;
   job_.start(
       QStringLiteral("Exporting a picture"),
-      [file, image = viewport_.picture(*instant(), wanted->options)](const Progress& progress) {
+      [file, image = viewport_.picture(*shown_, wanted->options)](const Progress& progress) {
         write_image(path_of(file), image, progress);
       },
       [this, file](const std::exception_ptr& error) { ended(file, error); });
 }
 
 void ExportControl::export_tables() {
-  if (!drawn_ || !instant()) return;
+  if (!drawn_ || !shown_) return;
   const QString file = ask_file(QStringLiteral("Export numbers"), QStringLiteral("sonde.csv"),
                                 QStringLiteral("Tables (*.csv)"));
-  if (file.isEmpty() || !may_write_contacts(file) || !drawn_ || !instant()) return;
-  const ExportedInstant shown = exported_instant_of(*instant());
+  if (file.isEmpty() || !may_write_contacts(file) || !drawn_ || !shown_) return;
+  const ExportedInstant shown = exported_instant_of(*shown_);
   write(file, [&] {
     write_tables(path_of(file), instants_csv({&shown, 1}), contacts_csv({&shown, 1}));
   });
@@ -124,10 +132,10 @@ void ExportControl::export_gltf() {
   if (!may_begin()) return;
   const QString file = ask_file(QStringLiteral("Export glTF"), QStringLiteral("sonde.gltf"),
                                 QStringLiteral("glTF (*.gltf)"));
-  if (file.isEmpty() || !drawn_ || !instant()) return;
+  if (file.isEmpty() || !drawn_ || !shown_) return;
   job_.start(
       QStringLiteral("Exporting glTF"),
-      [file, what = surfaces(), shown = exported_instant_of(*instant())](const Progress& progress) {
+      [file, what = surfaces(), shown = exported_instant_of(*shown_)](const Progress& progress) {
         write_gltf(path_of(file), what, shown, progress);
       },
       [this, file](const std::exception_ptr& error) { ended(file, error); });
@@ -139,9 +147,9 @@ void ExportControl::export_vtk(bool series) {
       ask_file(series ? QStringLiteral("Export the separation for ParaView: a new folder")
                       : QStringLiteral("Export for ParaView: a new folder"),
                QStringLiteral("sonde-vtk"), QString());
-  if (folder.isEmpty() || !drawn_ || !instant()) return;
-  const Snapshot now = instant()->snapshot;
-  std::vector<ExportedInstant> instants{exported_instant_of(*instant())};
+  if (folder.isEmpty() || !drawn_ || !shown_) return;
+  const Snapshot now = shown_->snapshot;
+  std::vector<ExportedInstant> instants{exported_instant_of(*shown_)};
   if (series) instants = separation_in_steps(now, drawn_->session->probe().mass, steps_of_series);
   job_.start(
       QStringLiteral("Exporting for ParaView"),
@@ -157,11 +165,11 @@ void ExportControl::export_animation() {
   if (!wanted) return;
   const QString folder = ask_file(QStringLiteral("Export the separation: a new folder of pictures"),
                                   QStringLiteral("sonde-separation"), QString());
-  if (folder.isEmpty() || !drawn_ || !instant()) return;
+  if (folder.isEmpty() || !drawn_ || !shown_) return;
   try {
     auto animation = std::make_unique<Animation>(folder, *wanted);
     animation->count = wanted->frames;
-    animation->picture = [shown = instant()->snapshot, last = wanted->frames - 1](int i) {
+    animation->picture = [shown = shown_->snapshot, last = wanted->frames - 1](int i) {
       return Animation::Picture{{.snapshot = shown, .searched = {}, .live = false},
                                 double(i) / std::max(last, 1)};
     };

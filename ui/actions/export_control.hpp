@@ -10,20 +10,24 @@
 #include "ui/actions/export_dialog.hpp"
 #include "ui/base/job.hpp"
 #include "ui/document/instant.hpp"
-#include "ui/document/tick_blocks.hpp"
 #include "ui/export/vtk_scene.hpp"
 
 namespace sonde::ui {
 
 struct DrawnSession;
+class HistoryControl;
 class ProgressDialog;
+struct Prompts;
 
 /// Writes what the window shows to files for other programs: pictures, tables, ParaView's, glTF.
 /// Each appears whole or not at all.
 class ExportControl : public QObject {
   Q_OBJECT
  public:
-  ExportControl(Viewport& viewport, QWidget& window);
+  /// `shown`: what the window shows, none before the first; the history has what the timeline leads
+  /// over. Both outlive this.
+  ExportControl(Viewport& viewport, const std::optional<Instant>& shown, HistoryControl& history,
+                const Prompts& prompts, QWidget& window);
   ~ExportControl() override;
 
   void attach(const DrawnSession* drawn);
@@ -43,13 +47,6 @@ class ExportControl : public QObject {
   // What is asked; tests answer themselves. An empty name: do nothing.
   std::function<std::optional<PictureWanted>(ExportDialog::Of)> ask_picture;
   std::function<QString(const QString& title, const QString& name, const QString& filter)> ask_file;
-  /// May this file, which goes with the one that was chosen and is there already, be replaced?
-  std::function<bool(const QString& file)> ask_replace;
-
-  /// What is on show; none before the first.
-  std::function<const Instant*()> instant;
-  /// What the timeline leads over; none where that is nothing.
-  std::function<std::optional<TickBlocks>()> ticks;
 
  signals:
   void say(const QString& what);
@@ -68,6 +65,9 @@ class ExportControl : public QObject {
   Surfaces surfaces() const;
 
   Viewport& viewport_;
+  const std::optional<Instant>& shown_;
+  HistoryControl& history_;
+  const Prompts& prompts_;
   Job job_;
   const DrawnSession* drawn_ = nullptr;
   QTimer timer_;

@@ -11,6 +11,7 @@
 #include "engine/text/output_file.hpp"
 #include "ui/actions/animation.hpp"
 #include "ui/actions/export_control.hpp"
+#include "ui/actions/history_control.hpp"
 #include "ui/base/progress_dialog.hpp"
 #include "ui/document/playback.hpp"
 #include "ui/export/tables.hpp"
@@ -58,7 +59,7 @@ std::vector<ExportedInstant> instants_at(const TickLog& log, const std::vector<d
 }  // namespace
 
 void ExportControl::export_recording_tables() {
-  const auto kept = may_begin() ? ticks() : std::nullopt;
+  const auto kept = may_begin() ? history_.ticks_on_show() : std::nullopt;
   if (!kept) return;
   const QString file = ask_file(QStringLiteral("Export the numbers of the recording"),
                                 QStringLiteral("recording.csv"), QStringLiteral("Tables (*.csv)"));
@@ -72,7 +73,7 @@ void ExportControl::export_recording_tables() {
 }
 
 void ExportControl::export_recording_vtk() {
-  const auto kept = may_begin() ? ticks() : std::nullopt;
+  const auto kept = may_begin() ? history_.ticks_on_show() : std::nullopt;
   const auto wanted = kept ? ask_picture(ExportDialog::Of::recording_steps) : std::nullopt;
   if (!wanted) return;
   const QString folder = ask_file(QStringLiteral("Export the recording for ParaView: a new folder"),
@@ -88,7 +89,7 @@ void ExportControl::export_recording_vtk() {
 }
 
 void ExportControl::export_recording_pictures() {
-  const auto kept = may_begin() ? ticks() : std::nullopt;
+  const auto kept = may_begin() ? history_.ticks_on_show() : std::nullopt;
   const auto wanted = kept ? ask_picture(ExportDialog::Of::recording) : std::nullopt;
   if (!wanted) return;
   const QString folder = ask_file(QStringLiteral("Export the recording: a new folder of pictures"),

@@ -11,6 +11,7 @@
 #include "engine/base/error.hpp"
 #include "engine/base/progress.hpp"
 #include "engine/recording/loop_run.hpp"
+#include "ui/actions/document_control.hpp"
 #include "ui/actions/meshes_dialog.hpp"
 #include "ui/actions/opener.hpp"
 #include "ui/base/absolute_path.hpp"
@@ -54,11 +55,12 @@ void run(const Order& order, KeptTicks& into, const Progress& progress) {
 
 }  // namespace
 
-HistoryControl::HistoryControl(Opener& opener, Prompts& prompts, QWidget& window, HistoryView view)
+HistoryControl::HistoryControl(Opener& opener, Prompts& prompts, DocumentControl& documents,
+                               QWidget& window)
     : QObject(&window),
       opener_(opener),
       prompts_(prompts),
-      view_(std::move(view)),
+      documents_(documents),
       timeline_(new TimelinePanel(&window)),
       plots_(new PlotsPanel(&window)),
       job_(&window) {
@@ -78,6 +80,7 @@ HistoryControl::HistoryControl(Opener& opener, Prompts& prompts, QWidget& window
 HistoryControl::~HistoryControl() = default;
 
 void HistoryControl::attach(Session* session) {
+  session_ = session;
   stop_recording();
   if (job_.running()) emit say(QStringLiteral("Running it again: given up, for what was opened"));
   job_.abandon();
@@ -142,8 +145,8 @@ void HistoryControl::try_to(const std::function<void()>& look) {
 }
 
 void HistoryControl::begin_looking() {
-  if (looking_back() || !kept() || !view_.session()) return;
-  paused_before_ = view_.session()->paused();
+  if (looking_back() || !kept() || !session_) return;
+  paused_before_ = session_->paused();
   emit pause_wanted(true);
   playback_.look_at(shows_replay_ && replay_ ? &replay_->log() : kept());
 }
@@ -192,14 +195,14 @@ void HistoryControl::go_live() {
 
 void HistoryControl::set_recording(bool on) {
   if (!on) return stop_recording();
-  const QString file = view_.session() ? prompts_.ask_record() : QString();
+  const QString file = session_ ? prompts_.ask_record() : QString();
   if (!file.isEmpty()) record(file);
   show_state();
 }
 
 /// Throws InputError where the file is looked at or shown now.
 void HistoryControl::check_not_in_use(const std::filesystem::path& file) const {
-  const Scene scene = view_.scene();
+  const Scene scene = documents_.document().content().scene;
   std::vector<std::filesystem::path> used{scene.file, scene.probe.mesh, scene.fixed.mesh};
   if (opened_ && opened_->recording) used.push_back(opened_->recording->file);
   for (const std::filesystem::path& each : used) {
@@ -210,16 +213,18 @@ void HistoryControl::check_not_in_use(const std::filesystem::path& file) const {
 }
 
 void HistoryControl::record(const QString& file) {
-  if (!view_.session()) return;
+  if (!session_) return;
   try {
     check_not_in_use(absolute_path(file));
     remember_folder_of(file);
-    recorder_.record(absolute_path(file), view_.scene(), view_.session()->loaded().marks);
+    recorder_.record(absolute_path(file), documents_.document().content().scene,
+                     session_->loaded().marks);
     const TickLog& kept = *recorder_.ticks();
     recording_since_ = QStringLiteral("%1, with the %2 s before")
                            .arg(QTime::currentTime().toString(QStringLiteral("hh:mm:ss")))
                            .arg(kept.last_time() - kept.first_time(), 0, 'f', 1);
-    agree_to_paths_of(view_.scene(), absolute_path(file));  // the user's own
+    agree_to_paths_of(documents_.document().content().scene,
+                      absolute_path(file));  // the user's own
     emit say(QStringLiteral("Recording to %1").arg(file));
   } catch (const InputError& bad) {
     prompts_.report_error(QString::fromUtf8(bad.what()));
@@ -251,7 +256,7 @@ void HistoryControl::ask_recording() {
 }
 
 void HistoryControl::open_recording(const QString& file) {
-  if (!view_.may_leave()) return;
+  if (!documents_.may_leave()) return;
   const auto kept = std::make_shared<KeptTicks>();
   kept->name = QFileInfo(file).fileName();
   opener_.make_asking(
@@ -294,7 +299,7 @@ std::optional<TickBlocks> HistoryControl::ticks_on_show() {
 
 /// False, and says why, while another run is going on.
 bool HistoryControl::may_run_again() const {
-  if (!view_.session() || !kept() || kept()->empty()) return false;
+  if (!session_ || !kept() || kept()->empty()) return false;
   if (job_.running())
     prompts_.report_error(
         QStringLiteral("It is being run again already: wait until that has ended, or cancel it."));
@@ -312,7 +317,7 @@ void HistoryControl::run_both(const Coupling& a, const Coupling& b) {
 void HistoryControl::start_runs(Method method, const std::vector<std::optional<Coupling>>& gains) {
   recorder_.seal();
   const auto into = std::make_shared<std::vector<std::shared_ptr<KeptTicks>>>();
-  const auto order = std::make_shared<Order>(Order{.pair = view_.session()->loaded().pair,
+  const auto order = std::make_shared<Order>(Order{.pair = session_->loaded().pair,
                                                    .ticks = TickBlocks::of(*kept()),
                                                    .budget = {},
                                                    .method = method,

@@ -20,14 +20,8 @@
 
 namespace sonde::ui {
 
+class DocumentControl;
 class Opener;
-
-/// The window's functions that looking back needs.
-struct HistoryView {
-  std::function<Session*()> session;
-  std::function<Scene()> scene;  ///< as a file would hold it now
-  std::function<bool()> may_leave;
-};
 
 /// Everything about time: keeps the last minutes of the session, records them, opens recordings,
 /// shows any instant of them, and runs them again with other gains. While the user looks back the
@@ -35,7 +29,7 @@ struct HistoryView {
 class HistoryControl : public QObject {
   Q_OBJECT
  public:
-  HistoryControl(Opener& opener, Prompts& prompts, QWidget& window, HistoryView view);
+  HistoryControl(Opener& opener, Prompts& prompts, DocumentControl& documents, QWidget& window);
   ~HistoryControl() override;
 
   TimelinePanel& timeline() { return *timeline_; }
@@ -109,7 +103,8 @@ class HistoryControl : public QObject {
 
   Opener& opener_;
   Prompts& prompts_;
-  HistoryView view_;
+  DocumentControl& documents_;
+  Session* session_ = nullptr;
   TimelinePanel* timeline_;
   PlotsPanel* plots_;
   Job job_;

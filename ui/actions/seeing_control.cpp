@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/proximity/queries/point_distance.hpp"
+#include "ui/actions/click_taker.hpp"
 #include "ui/actions/document_control.hpp"
 #include "ui/actions/view_pick.hpp"
 #include "ui/document/saved_views.hpp"
@@ -189,7 +190,9 @@ void SeeingControl::measure(QPointF at) {
 
 void SeeingControl::click(QPointF at) {
   emit touched(at);
-  if (!session_ || (click_wanted && click_wanted(at))) return;
+  if (!session_) return;
+  for (ClickTaker* taker : takers_)
+    if (taker->click(at)) return;
   const ContactCluster* best = nullptr;
   double nearest = near_contact;
   for (const ContactCluster& c : shown_.clusters) {

@@ -16,6 +16,7 @@ class QMainWindow;
 
 namespace sonde::ui {
 
+class ClickTaker;
 class ContactsPanel;
 class DocumentControl;
 class SeeingPanel;
@@ -58,7 +59,8 @@ class SeeingControl : public QObject {
   void go_to_view(int index);
   void choose_contact(std::uint64_t id);
 
-  std::function<bool(QPointF)> click_wanted;  ///< a click in the view is somebody's: true
+  /// A click in the view is that one's before all else, and after those who were added before.
+  void add_taker(ClickTaker& taker) { takers_.push_back(&taker); }
 
  signals:
   void changed();  ///< seeing() says something else
@@ -88,6 +90,7 @@ class SeeingControl : public QObject {
   Separation shown_;
   Wrench wrench_;
   bool follow_ = false;
+  std::vector<ClickTaker*> takers_;
 };
 
 }  // namespace sonde::ui

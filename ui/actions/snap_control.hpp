@@ -5,6 +5,7 @@
 #include <QPointF>
 #include <optional>
 
+#include "ui/actions/click_taker.hpp"
 #include "ui/document/snap.hpp"
 
 namespace sonde::ui {
@@ -17,7 +18,7 @@ struct Pick;
 
 /// Lays a face, an edge or the axis of a round face of the probe onto one of the fixed body: asked
 /// for in the dock of the pose, by two clicks in the view, in either order.
-class SnapControl : public QObject {
+class SnapControl : public QObject, public ClickTaker {
  public:
   SnapControl(Viewport& viewport, DocumentControl& documents, PosePanel& panel, QObject* parent);
 
@@ -26,7 +27,7 @@ class SnapControl : public QObject {
   /// None: no click is waited for any more.
   void start(std::optional<SnapKind> kind);
   /// A click in the view; true where one was waited for.
-  bool click(QPointF at);
+  bool click(QPointF at) override;
 
  private:
   std::optional<Feature> feature_of(const Pick& hit) const;

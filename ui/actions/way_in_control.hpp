@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "engine/study/assembly/insertion.hpp"
+#include "ui/actions/click_taker.hpp"
 #include "ui/actions/flight.hpp"
 #include "ui/base/job.hpp"
 #include "ui/panels/offset_plot.hpp"
@@ -24,7 +25,7 @@ enum class WayPick;
 
 /// The way in: what `sonde insert` says of the open scene, from where the probe is; computed beside
 /// everything else, played and sought by the probe itself.
-class WayInControl : public QObject {
+class WayInControl : public QObject, public ClickTaker {
   Q_OBJECT
  public:
   /// Its dock is added to the window, in the place of that one.
@@ -44,7 +45,7 @@ class WayInControl : public QObject {
   void play(bool on);
   void to_first_contact();
   /// A click in the view; true where an axis was waited for.
-  bool click(QPointF at);
+  bool click(QPointF at) override;
   const std::optional<Insertion>& found() const { return found_; }
   const OffsetMap& map() const { return map_; }
 

@@ -9,8 +9,6 @@
 #include <QPixmap>
 #include <QSaveFile>
 #include <QStatusBar>
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -38,6 +36,7 @@
 #include "ui/panels/log_panel.hpp"
 #include "ui/panels/pose_panel.hpp"
 #include "ui/panels/readout_panel.hpp"
+#include "ui/shell/search_control.hpp"
 #include "ui/shell/side_bar.hpp"
 #include "ui/shell/start_page.hpp"
 #include "ui/shell/status_text.hpp"
@@ -116,6 +115,7 @@ void MainWindow::show_start_page() {
 void MainWindow::show_nothing() {
   stiffness_->keep_gains();
   devices_->attach(nullptr);
+  documents_->attach(nullptr);
   stiffness_->attach(nullptr);
   history_->attach(nullptr);
   seeing_->attach(nullptr);
@@ -128,7 +128,7 @@ void MainWindow::show_nothing() {
   clash_->attach(nullptr);
   force_log_.end();
   forget_shown();
-  search_.forget();
+  search_->forget();
   endings_.add(std::move(drawn_.session));
   drawn_ = {};
   show_start_page();
@@ -143,13 +143,14 @@ void MainWindow::show_session(DrawnSession drawn, bool same_document) {
   // It lives until nothing below refers to it any more.
   std::unique_ptr<Session> before = std::move(drawn_.session);
   drawn_ = std::move(drawn);
+  documents_->attach(session());
   force_log_.end();
   Session& now = *drawn_.session;
   endings_.expect(before.get());
   now.wait_for(endings_.unended());
   now.set_force(force_);  // what Esc took away stays away
   forget_shown();
-  search_.forget();
+  search_->forget();
   history_->attach(session());
   repairs_->attach(&now, same_document);  // before: its bar takes room from the view
   viewport_->show_bodies(drawn_.bodies, same_document);
@@ -267,7 +268,7 @@ void MainWindow::on_frame() {
   frame_rate_.frame();
   if (!shown_) return;
   const qint64 now = clock_.elapsed();
-  ask_search();
+  search_->frame(*session(), shown_->separation, now, wants_search());
   if (now >= numbers_due_) {
     numbers_due_ = now + numbers_ms;
     show_numbers();
@@ -287,7 +288,7 @@ std::optional<Instant> MainWindow::newest() {
   }
   const Snapshot* now = session()->latest();
   if (!now) return {};
-  const auto& searched = search_.newest();
+  const auto& searched = search_->newest();
   Instant live = instant_of(*now, searched ? &*searched : nullptr, true);
   live.snapshot.paused = session()->paused();
   measure_clearance(live);
@@ -321,39 +322,8 @@ void MainWindow::draw_if_changed() {
 
 /// Whether anything shows or keeps what the searches beside the ticks find.
 bool MainWindow::wants_search() const {
-  const std::array layers{Layer::nearest, Layer::straight, Layer::bound};
   return readout_->isVisible() || history_->plots().isVisible() || accuracy_->is_on_show() ||
-         history_->recorder().recording() ||
-         std::ranges::any_of(layers, [&](Layer each) { return viewport_->shown(each); });
-}
-
-/// From here on, nothing is known of the nearest way out: what was found last is of another pose.
-void MainWindow::end_search() {
-  if (search_.newest()) {
-    BackgroundResult nothing;
-    nothing.device = search_.newest()->device;
-    history_->add(nothing);
-  }
-  if (const auto result = session()->searched()) search_.pass_over(*result);
-}
-
-/// PD_t and the lower bound, in their own thread, and only while they are shown or recorded.
-void MainWindow::ask_search() {
-  if (session()->paused()) return;
-  if (!wants_search()) return end_search();
-  const Pose& device = shown_->separation.device;
-  if (const auto result = session()->searched(); result && search_.takes(*result, device)) {
-    const bool drawn = viewport_->shown(Layer::nearest) || viewport_->shown(Layer::straight) ||
-                       viewport_->shown(Layer::bound);
-    const auto& before = search_.newest();
-    if (drawn && !(before && same_pose(before->device, result->device))) viewport_->invalidate();
-    search_.answered(*result);
-    history_->add(with_followed(*result, shown_->separation));
-  }
-  if (!search_.asks(device, clock_.elapsed())) return;
-  const Separation& followed = shown_->separation;
-  const bool held = followed.status == Status::penetrating;
-  session()->ask_search(device, held ? std::optional(followed.separated) : std::nullopt);
+         history_->recorder().recording() || search_->is_drawn();
 }
 
 void MainWindow::show_numbers() {
@@ -368,7 +338,7 @@ void MainWindow::show_numbers() {
 void MainWindow::show_status() {
   const Snapshot& s = *shown_;
   QString happens = happening(*instant_, LengthUnit(session()->probe().mass.radius));
-  if (const auto& searched = search_.newest(); instant_->live && searched)
+  if (const auto& searched = search_->newest(); instant_->live && searched)
     log_->add(QString::fromUtf8(words(way_out(s.separation, *searched))));
   if (const QString fault = force_log_.recent(s.time); instant_->live && !fault.isEmpty())
     happens += QLatin1Char(' ') + fault;

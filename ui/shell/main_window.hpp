@@ -15,7 +15,6 @@
 #include "ui/shell/escape_key.hpp"
 #include "ui/shell/force_log.hpp"
 #include "ui/shell/frame_rate.hpp"
-#include "ui/shell/search_schedule.hpp"
 #include "ui/shell/status_line.hpp"
 #include "ui/views/drawn_session.hpp"
 
@@ -30,7 +29,6 @@ class CouplingPanel;
 class DeviceControl;
 class DevicePanel;
 class DocumentControl;
-struct DocumentView;
 class ExportControl;
 class HistoryControl;
 struct KeptTicks;
@@ -42,6 +40,7 @@ class PartsControl;
 class PosePanel;
 class ReadoutPanel;
 class RepairsControl;
+class SearchControl;
 class SeeingControl;
 class SideBar;
 class SnapControl;
@@ -137,7 +136,6 @@ class MainWindow : public QMainWindow {
   void connect_measuring();
   void connect_documents();
   void connect_export();
-  DocumentView document_view();
   void add_history();
   void add_repairs();
   void add_assembly();
@@ -167,8 +165,6 @@ class MainWindow : public QMainWindow {
   bool open_recording(const QStringList& files);
   void open_one_mesh(const QString& file);
   bool wants_search() const;
-  void end_search();
-  void ask_search();
   void show_numbers();
   void show_status();
   void show_device();
@@ -178,8 +174,8 @@ class MainWindow : public QMainWindow {
   Endings endings_;  ///< of the sessions before
   DrawnSession drawn_;
   std::unique_ptr<Opener> opener_;
-  std::unique_ptr<DocumentControl> documents_;
   Viewport* viewport_;
+  std::unique_ptr<DocumentControl> documents_;
   MouseProbe* mouse_;
   CouplingPanel* coupling_panel_;
   ReadoutPanel* readout_;
@@ -209,7 +205,7 @@ class MainWindow : public QMainWindow {
   ForceLog force_log_;
   std::optional<Snapshot> shown_;
   std::optional<Instant> instant_;  ///< the same, with all that belongs to it
-  SearchSchedule search_;
+  std::unique_ptr<SearchControl> search_;
   std::optional<Coupling> suited_;  ///< the gains that were chosen for own meshes
   bool hint_unread_ = true;         ///< nobody has dragged the probe yet
   bool force_ = true;

@@ -34,6 +34,7 @@
 #include "ui/panels/stiffness_panel.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/shell/menus.hpp"
+#include "ui/shell/search_control.hpp"
 #include "ui/shell/start_page.hpp"
 #include "ui/views/viewport.hpp"
 
@@ -49,8 +50,8 @@ MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       prompts_(dialogs(*this)),
       opener_(std::make_unique<Opener>(*this, prompts_)),
-      documents_(std::make_unique<DocumentControl>(*opener_, prompts_, document_view())),
       viewport_(new Viewport(this)),
+      documents_(std::make_unique<DocumentControl>(*opener_, prompts_, *viewport_)),
       mouse_(new MouseProbe(*viewport_, this)),
       coupling_panel_(new CouplingPanel(documents_->document().stack(), this)),
       readout_(new ReadoutPanel(this)),
@@ -80,12 +81,11 @@ MainWindow::MainWindow(QWidget* parent)
   seeing_ = new SeeingControl(*viewport_, *documents_, *this, *readout_);
   add_assembly();
   accuracy_ = new AccuracyControl(*documents_, *this, *coupling_panel_);
-  exporter_ = new ExportControl(*viewport_, *this);
-  connect_export();
   connect(seeing_, &SeeingControl::say, this, &MainWindow::tell);
   addDockWidget(Qt::BottomDockWidgetArea, log_);
   connect(statusBar(), &QStatusBar::messageChanged, log_, &LogPanel::add);
   add_history();
+  connect_export();
   add_sides();
   add_menus(*this);
   connect(mouse_, &MouseProbe::moved, this, &MainWindow::follow_mouse);
@@ -182,14 +182,12 @@ void MainWindow::connect_measuring() {
 }
 
 void MainWindow::add_history() {
-  history_ = new HistoryControl(*opener_, prompts_, *this,
-                                {.session = [this] { return session(); },
-                                 .scene = [this] { return documents_->document().content().scene; },
-                                 .may_leave = [this] { return documents_->may_leave(); }});
+  history_ = new HistoryControl(*opener_, prompts_, *documents_, *this);
   connect(history_, &HistoryControl::show_wanted, this,
           [this](DrawnSession& drawn) { show_session(std::move(drawn)); });
   connect(history_, &HistoryControl::pause_wanted, this, &MainWindow::pause);
   connect(history_, &HistoryControl::say, this, &MainWindow::tell);
+  search_ = std::make_unique<SearchControl>(*viewport_, *history_);
   // Above the timeline, which keeps the whole width.
   splitDockWidget(log_, &history_->timeline(), Qt::Vertical);
   splitDockWidget(log_, &history_->plots(), Qt::Horizontal);
@@ -203,7 +201,8 @@ void MainWindow::add_assembly() {
   connect(way_in_, &WayInControl::place_wanted, documents_.get(),
           [this](const Pose& X_FM) { documents_->place(X_FM, QStringLiteral("Way in"), true); });
   snap_ = new SnapControl(*viewport_, *documents_, *pose_panel_, this);
-  seeing_->click_wanted = [this](QPointF at) { return way_in_->click(at) || snap_->click(at); };
+  seeing_->add_taker(*way_in_);
+  seeing_->add_taker(*snap_);
   clash_ = new ClashControl(*viewport_, *this, *coupling_panel_);
   auto* nudge = new NudgeControl(*viewport_, *pose_panel_, this);
   connect(seeing_, &SeeingControl::touched, nudge, &NudgeControl::click);
@@ -225,15 +224,9 @@ void MainWindow::add_repairs() {
 }
 
 void MainWindow::connect_export() {
-  exporter_->instant = [this] { return instant_ ? &*instant_ : nullptr; };
-  exporter_->ticks = [this] { return history_->ticks_on_show(); };
-  exporter_->ask_replace = [this](const QString& file) { return prompts_.ask_replace(file); };
+  exporter_ = new ExportControl(*viewport_, instant_, *history_, prompts_, *this);
   connect(exporter_, &ExportControl::say, this, &MainWindow::tell);
   connect(exporter_, &ExportControl::failed, this, &MainWindow::complain);
-}
-
-DocumentView MainWindow::document_view() {
-  return {.session = [this] { return session(); }, .camera = [this] { return viewport_->place(); }};
 }
 
 void MainWindow::show_parts(const std::vector<PartLook>& looks) {

@@ -41,7 +41,7 @@ class ExportMenuTest : public WindowTest {
 TEST_F(ExportMenuTest, each_command_asks_for_its_own) {
   open_cubes();
   ASSERT_TRUE(wait_until([this] {
-    const auto ticks = window->exporter().ticks();
+    const auto ticks = window->history().ticks_on_show();
     return ticks && ticks->last > ticks->first;
   }));
   window->set_paused(true);
