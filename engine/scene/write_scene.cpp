@@ -25,6 +25,7 @@ constexpr double step = std::numeric_limits<double>::epsilon();
 /// The shortest number whose product with the unit is exactly that length; there may be none.
 double in_unit(double length, double unit) {
   const double nearest = length / unit;
+  if (nearest == 0) return nearest;  // with its sign
   double best = nearest;
   std::size_t shortest = std::numeric_limits<std::size_t>::max();
   for (int i = -2; i <= 2; ++i) {
@@ -35,6 +36,12 @@ double in_unit(double length, double unit) {
     shortest = digits;
   }
   return best;
+}
+
+/// Readers of JSON take "-0" as an integer, whose zero has no sign.
+std::string json_number(double value) {
+  const std::string text = number_text(value);
+  return text == "-0" ? "-0.0" : text;
 }
 
 /// Numbers that the reader's normalisation converts to that unit quaternion, to the bit.
@@ -57,10 +64,10 @@ std::array<double, 4> before_normalisation(const Quat& q) {
 
 std::string pose_text(const Pose& pose, double unit) {
   std::string text = "[";
-  for (const double length : pose.p) text += number_text(in_unit(length, unit)) + ", ";
+  for (const double length : pose.p) text += json_number(in_unit(length, unit)) + ", ";
   const std::array<double, 4> q = before_normalisation(pose.q);
   for (std::size_t i = 0; i < q.size(); ++i)
-    text += number_text(q.at(i)) + (i + 1 < q.size() ? ", " : "]");
+    text += json_number(q.at(i)) + (i + 1 < q.size() ? ", " : "]");
   return text;
 }
 
@@ -113,7 +120,7 @@ std::string body_text(const SceneBody& body, double unit, const fs::path& folder
 std::string coupling_text(const Coupling& coupling) {
   std::string text = "{\n    \"mode\": " + quoted(name_of(coupling.mode));
   for (const Setting& setting : coupling_settings())
-    text += ",\n    " + quoted(setting.key) + ": " + number_text(get(coupling, setting.key));
+    text += ",\n    " + quoted(setting.key) + ": " + json_number(get(coupling, setting.key));
   return text + "\n  }";
 }
 
@@ -125,7 +132,7 @@ std::string servo_text(const ServoSettings& servo) {
     const double value = get(servo, setting.key);
     if (value == get(defaults, setting.key)) continue;
     text += (text.empty() ? "{\n    " : ",\n    ") + quoted(setting.key) + ": " +
-            (setting.integer ? std::to_string(std::lround(value)) : number_text(value));
+            (setting.integer ? std::to_string(std::lround(value)) : json_number(value));
   }
   return text.empty() ? text : text + "\n  }";
 }

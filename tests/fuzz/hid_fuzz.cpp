@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "engine/base/error.hpp"
@@ -48,8 +49,10 @@ void hear(const sonde::force_protocol::Limits& limits, std::span<const std::uint
     DeviceWrench wrench{.force = Vec3::Constant(1e300), .torque = Vec3::Constant(-1e300)};
     if (const auto heard = force_protocol::decode_wrench(bytes)) wrench = heard->wrench;
     const auto answer = force_protocol::decode_wrench(host.wrench_report(wrench, true));
-    fuzz::require(answer && answer->wrench.force.norm() <= limits.max_force * (1 + 1e-5) &&
-                      answer->wrench.torque.norm() <= limits.max_torque * (1 + 1e-5),
+    // Rounded to the floats of the report, of which the smallest are this far apart.
+    constexpr double apart = std::numeric_limits<float>::denorm_min();
+    fuzz::require(answer && answer->wrench.force.norm() <= limits.max_force * (1 + 1e-5) + apart &&
+                      answer->wrench.torque.norm() <= limits.max_torque * (1 + 1e-5) + apart,
                   "a wrench stays within the limits");
     step();
   }

@@ -241,5 +241,17 @@ TEST(WriteScene, what_was_there_stays_where_the_writing_fails_half_way) {
   EXPECT_EQ(folder.file_count(), 2u) << "nothing half-written lies about";
 }
 
+TEST(WriteScene, a_zero_keeps_its_sign) {
+  Scene scene;
+  scene.unit = 1;
+  scene.probe.mesh = scene.fixed.mesh = "/a/a.ply";
+  scene.probe.pose = {Quat(-0.6, -0.0, 0.8, 0.0), Vec3(-0.0, 0.0, 1)};
+  const Pose again = scene_in(scene_text(scene, "/a"), "/a/a.sonde.json").probe.pose;
+  EXPECT_TRUE(std::signbit(again.q.x()));
+  EXPECT_FALSE(std::signbit(again.q.z()));
+  EXPECT_TRUE(std::signbit(again.p.x()));
+  EXPECT_FALSE(std::signbit(again.p.y()));
+}
+
 }  // namespace
 }  // namespace sonde
