@@ -5,8 +5,8 @@
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
+#include <map>
 #include <mutex>
-#include <set>
 #include <thread>
 
 #include "engine/base/error.hpp"
@@ -27,27 +27,48 @@ constexpr int everything_every = 200;
 // Messages that do not mention the arm, before it counts as unplugged: the service takes some time
 // to list an arm again that it has started anew.
 constexpr int without_limit = 100;
-/// The arms that this program has open: two that tell one of them forces would be felt as one that
-/// shakes.
+/// The arms that this program has open, with the grip that each follows: two that tell one of them
+/// forces would be felt as one that shakes, and two that follow one grip turn with the wrong hand.
 class OpenArms {
  public:
   /// False if it is open already.
   bool add(const std::string& id) {
     const std::lock_guard lock(mutex_);
-    return ids_.insert(id).second;
+    return grips_.try_emplace(id).second;
   }
   void remove(const std::string& id) {
     const std::lock_guard lock(mutex_);
-    ids_.erase(id);
+    grips_.erase(id);
   }
   int count() {
     const std::lock_guard lock(mutex_);
-    return static_cast<int>(ids_.size());
+    return static_cast<int>(grips_.size());
+  }
+  /// From now on that arm follows the first of these that is awake and that no other follows, or,
+  /// if all sleep and `asleep` allows it, the first; null if there is none.
+  const haply::Grip* follow(const std::string& arm, const std::vector<haply::Grip>& grips,
+                            bool asleep) {
+    const std::lock_guard lock(mutex_);
+    const haply::Grip* next = nullptr;
+    for (const haply::Grip& grip : grips) {
+      const bool awake = grip.ready.value_or(false);
+      if (next && !awake) continue;
+      if (!(awake || asleep) || others_follow(arm, grip.id)) continue;
+      next = &grip;
+      if (awake) break;
+    }
+    if (next) grips_[arm] = next->id;
+    return next;
   }
 
  private:
+  bool others_follow(const std::string& arm, const std::string& grip) const {
+    return std::ranges::any_of(
+        grips_, [&](const auto& open) { return open.first != arm && open.second == grip; });
+  }
+
   std::mutex mutex_;
-  std::set<std::string> ids_;
+  std::map<std::string, std::string> grips_;  ///< by the arm's id
 };
 OpenArms& open_haply_arms() {
   static OpenArms arms;
@@ -276,18 +297,18 @@ void HaplyArm::take(const haply::Message& message, const haply::Arm& arm) {
 }
 
 /// Follows another grip where there was none, or where the one that is followed is no longer
-/// mentioned, or sleeps beside one that is awake. Returns true if so: the handle seems to turn by a
-/// jump then, so this message gives no pose, and the force rises anew.
+/// mentioned, or sleeps beside one that is awake; not one that another arm of this program follows.
+/// Returns true if so: the handle seems to turn by a jump then, so this message gives no pose, and
+/// the force rises anew.
 bool HaplyArm::choose_grip(const std::vector<haply::Grip>& grips) {
   const auto own = std::ranges::find(grips, grip_.id, &haply::Grip::id);
   without_grip_ = own == grips.end() ? without_grip_ + 1 : 0;
-  const auto awake = std::ranges::find_if(
-      grips, [](const haply::Grip& grip) { return grip.ready.value_or(false); });
   const bool sleeps = own != grips.end() && !own->ready.value_or(true);
   const bool gone = grip_.id.empty() || without_grip_ > without_limit;
-  if (grips.empty() || !(gone || (sleeps && awake != grips.end()))) return false;
-  const haply::Grip& next = awake == grips.end() ? grips.front() : *awake;
-  grip_ = {.id = next.id, .orientation = {}, .ready = next.ready, .buttons = 0};
+  if (grips.empty() || !(gone || sleeps)) return false;
+  const haply::Grip* const next = open_haply_arms().follow(id_, grips, gone);
+  if (!next) return false;
+  grip_ = {.id = next->id, .orientation = {}, .ready = next->ready, .buttons = 0};
   without_grip_ = 0;
   return true;
 }

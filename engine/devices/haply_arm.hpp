@@ -24,8 +24,8 @@ struct HaplyService {
 HaplyService find_haply_service();
 
 /// An open Inverse3 of Haply, by the Inverse Service; its VerseGrip, if there is one, gives the
-/// orientation and the buttons; of several, one that is awake. Closes with the object, with its
-/// force off. It takes no torque.
+/// orientation and the buttons; of several, one that is awake and that no other arm of this program
+/// follows. Closes with the object, with its force off. It takes no torque.
 ///
 /// The service answers each message with one, so the force goes out and the pose comes back once a
 /// millisecond. Without an answer for 10 ms the service is told that the force is zero; without one

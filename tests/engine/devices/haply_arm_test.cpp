@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <limits>
+#include <memory>
 #include <thread>
 
 #include "engine/haptics/loop/time_histogram.hpp"
@@ -59,7 +60,7 @@ TEST_F(HaplyArms, nobody_makes_it_ask_more_often) {
   const auto begin = DeviceClock::now();
   for (int i = 0; i < 200; ++i) {
     awaited(arm, Kind::pose);
-    arm.write({{0, 0, 1}, {}}, true);
+    arm.write({.force = {0, 0, 1}}, true);
   }
   const std::chrono::duration<double, std::milli> passed = DeviceClock::now() - begin;
   EXPECT_GE(passed.count(), 199);
@@ -68,15 +69,15 @@ TEST_F(HaplyArms, nobody_makes_it_ask_more_often) {
 
 TEST_F(HaplyArms, a_force_is_within_the_models_limit_and_none_where_it_is_no_number) {
   HaplyArm arm("049D");
-  arm.write({{0, 30, 40}, {}}, true);
+  arm.write({.force = {0, 30, 40}}, true);
   exchange(arm);
   EXPECT_LT((standin.force() - Vec3(0, 6, 8)).norm(), 1e-12) << "10 N in its direction";
-  arm.write({{0, std::numeric_limits<double>::quiet_NaN(), 1}, {}}, true);
+  arm.write({.force = {0, std::numeric_limits<double>::quiet_NaN(), 1}}, true);
   exchange(arm);
   EXPECT_TRUE(standin.force().isZero(0));
-  arm.write({{0, 0, 1}, {}}, true);
+  arm.write({.force = {0, 0, 1}}, true);
   exchange(arm);
-  arm.write({{0, 0, 1}, {}}, false);
+  arm.write({.force = {0, 0, 1}}, false);
   exchange(arm);
   EXPECT_TRUE(standin.force().isZero(0));
 }
@@ -164,16 +165,53 @@ TEST_F(HaplyArms, another_grip_takes_over) {
   }
 }
 
+constexpr const char* wired_grip = R"([{"device_id": "7", "status": {"connected": true},
+      "state": {"orientation": {"w": 0, "x": 1, "y": 0, "z": 0}}}])";
+
+/// Each hand turns its own: the stand-in knows which grip is turned by which quarter.
+TEST_F(HaplyArms, two_arms_follow_two_grips) {
+  standin.add_arm("0BB2");
+  standin.set("/verse_grip", wired_grip);
+  HaplyArm first("049D"), second("0BB2");
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(awaited(first, Kind::pose).X_BH.q.x(), 0);
+    EXPECT_EQ(awaited(second, Kind::pose).X_BH.q.x(), 1);
+  }
+}
+
+TEST_F(HaplyArms, a_second_arm_does_not_take_the_grip_of_the_first_until_that_closes) {
+  standin.add_arm("0BB2");
+  standin.turn_to(Quat(0, 0, 1, 0));
+  auto first = std::make_unique<HaplyArm>("049D");
+  HaplyArm second("0BB2");
+  EXPECT_EQ(second.identity().name, "Haply Inverse3 without a VerseGrip");
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(awaited(*first, Kind::pose).X_BH.q.y(), 1);
+    EXPECT_EQ(awaited(second, Kind::pose).X_BH.q.y(), 0);
+  }
+  // A grip that falls asleep is no reason to take that of the other hand.
+  standin.set("/verse_grip", wired_grip);
+  for (int i = 0; i < 20000 && awaited(second, Kind::pose).X_BH.q.x() != 1; ++i) continue;
+  EXPECT_EQ(awaited(second, Kind::pose).X_BH.q.x(), 1);
+  standin.set("/wireless_verse_grip/0/status/awake", "false");
+  EXPECT_EQ(until_said(*first, "its VerseGrip sleeps").kind, Kind::fault);
+  first.reset();
+  standin.set("/wireless_verse_grip/0/status/awake", "true");
+  standin.set("/verse_grip", "[]");
+  for (int i = 0; i < 20000 && awaited(second, Kind::pose).X_BH.q.y() != 1; ++i) continue;
+  EXPECT_EQ(awaited(second, Kind::pose).X_BH.q.y(), 1) << "nobody follows it now";
+}
+
 /// The slow service reads the zero only after it has answered the message before.
 TEST_F(HaplyArms, it_closes_with_its_force_off) {
   for (const Manner manner : {Manner::usual, Manner::slow}) {
     {
       HaplyArm arm("049D");
-      arm.write({{0, 0, 2}, {}}, true);
+      arm.write({.force = {0, 0, 2}}, true);
       exchange(arm);
       EXPECT_EQ(standin.force(), Vec3(0, 0, 2));
       standin.behave(manner);
-      arm.write({{0, 0, 1}, {}}, true);
+      arm.write({.force = {0, 0, 1}}, true);
     }
     EXPECT_EQ(HaplyArm::open(), 0);
     for (int i = 0; i < 20000 && !standin.force().isZero(0); ++i) std::this_thread::sleep_for(1ms);
@@ -227,7 +265,7 @@ TEST_F(HaplyArms, Soak_ten_minutes_at_a_kilohertz) {
     const ArmReading reading = arm.read();
     reading.kind == Kind::pose ? ++poses : ++others;
     if (reading.kind == Kind::pose) times.add(arm.round_trip().count());
-    arm.write({{0, 0, 1}, {}}, true);
+    arm.write({.force = {0, 0, 1}}, true);
   }
   std::printf("%llu poses, %llu other readings; round trip: median %.3f, 99.9 %% %.3f, %s\n",
               static_cast<unsigned long long>(poses), static_cast<unsigned long long>(others),

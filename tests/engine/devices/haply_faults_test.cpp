@@ -106,7 +106,7 @@ TEST_F(HaplyArms, one_that_is_unplugged_is_gone) {
 
 TEST_F(HaplyArms, a_service_that_is_silent_is_told_that_the_force_is_zero) {
   HaplyArm arm("049D");
-  arm.write({{0, 0, 2}, {}}, true);
+  arm.write({.force = {0, 0, 2}}, true);
   exchange(arm);
   standin.behave(Manner::silent);
   until_said(arm, "does not answer");
@@ -165,7 +165,7 @@ TEST_F(HaplyArms, Soak_from_silence_to_no_force) {
     HaplyArm arm("049D");
     for (int k = 0; k < 30; ++k) {
       awaited(arm, Kind::pose);
-      arm.write({{0, 0, 1}, {}}, true);
+      arm.write({.force = {0, 0, 1}}, true);
     }
     standin.behave(Manner::silent);
     while (!standin.until_zero()) arm.read();

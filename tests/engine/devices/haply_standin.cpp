@@ -10,6 +10,7 @@
 #include <list>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 
 #include "engine/platform/real_time.hpp"
@@ -62,6 +63,7 @@ struct HaplyStandin::State {
   tcp::acceptor acceptor{io, {asio::ip::address_v4::loopback(), 0}};
   mutable std::mutex mutex;  // guards what follows
   Json all = everything();
+  std::set<std::string> arms{"049D"};  // that were ever listed
   Manner manner = Manner::usual;
   DeviceClock::time_point changed = DeviceClock::now();
   std::optional<DeviceClock::duration> until_zero;
@@ -156,7 +158,8 @@ struct HaplyStandin::State {
       const Json json = Json::parse(text);
       const Json& arm = json.at("inverse3").at(0);
       const Json& values = arm.at("commands").at("set_cursor_force").at("values");
-      if (arm.at("device_id") != "049D") throw std::runtime_error("for another arm");
+      if (!arms.contains(arm.at("device_id").get<std::string>()))
+        throw std::runtime_error("for another arm");
       force = {values.at("x").get<double>(), values.at("y").get<double>(),
                values.at("z").get<double>()};
       if (force.isZero(0) && !until_zero) {
@@ -221,6 +224,14 @@ void HaplyStandin::move_to(const Vec3& p) {
 void HaplyStandin::turn_to(const Quat& q) {
   const std::lock_guard lock(state_->mutex);
   state_->all["wireless_verse_grip"][0]["state"]["orientation"] = json_of(q);
+}
+
+void HaplyStandin::add_arm(const std::string& id) {
+  const std::lock_guard lock(state_->mutex);
+  Json another = state_->all["inverse3"][0];
+  another["device_id"] = id;
+  state_->arms.insert(id);
+  state_->all["inverse3"].push_back(another);
 }
 
 void HaplyStandin::behave(Manner manner) {

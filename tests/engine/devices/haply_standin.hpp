@@ -39,6 +39,7 @@ class HaplyStandin {
   // What the arm does, and how the service behaves.
   void move_to(const Vec3& p);
   void turn_to(const Quat& q);
+  void add_arm(const std::string& id);  ///< beside the first, "049D", and as it is then
   void behave(Manner manner);
   /// Takes the place of every answer; empty: the usual ones.
   void say(const std::string& text);
