@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/haptics/coupling/coupling_wrench.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/geometry/rotation.hpp"
@@ -63,6 +64,18 @@ Wrench limit(const Wrench& wrench, double max_force, double max_torque) {
   out.force = scaled_down(wrench.force, max_force, out.saturated);
   out.torque = scaled_down(wrench.torque, max_torque, out.saturated);
   return out;
+}
+
+double stiffness_of_lag(const Coupling& c, const MassProperties& mass) noexcept {
+  if (in_object_norm(c.mode)) return c.k;
+  // Near the device pose a lag is a turn of at most its size over the least radius of gyration
+  // about which one turns.
+  double least = mass.inertia.maxCoeff();
+  if (!(least > 0)) return c.k_t;  // a point: it does not turn
+  const double largest = least;
+  for (const double inertia : mass.inertia)
+    if (inertia > 0) least = std::min(least, inertia);
+  return std::max(c.k_t, c.k_r / std::sqrt(least * largest));
 }
 
 Vec3 towards(const Vec3& wanted, const Vec3& last, double most, bool* limited) noexcept {

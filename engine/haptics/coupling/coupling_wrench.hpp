@@ -23,6 +23,10 @@ Wrench classic_wrench(const SeparationMotion& now, const Vec3& t_rate, const Vec
 /// Scales force and torque separately down to the device's limits, and keeps their directions.
 Wrench limit(const Wrench& wrench, double max_force, double max_torque);
 
+/// N/m: the error of the force per unit of the probe's lag in y. The error of the torque counts as
+/// the force that moves the largest radius of gyration: that is its size in the object norm.
+double stiffness_of_lag(const Coupling& c, const MassProperties& mass) noexcept;
+
 /// Moves from `last` towards `wanted`, by at most `most`; `*limited` becomes true where that is
 /// less than all.
 Vec3 towards(const Vec3& wanted, const Vec3& last, double most, bool* limited = nullptr) noexcept;

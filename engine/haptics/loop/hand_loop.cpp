@@ -16,22 +16,6 @@
 namespace sonde {
 namespace {
 
-/// N/m: the error of the force per unit of the probe's lag in y. The error of the torque counts as
-/// the force that moves the largest radius of gyration: that is its size in the object norm.
-double stiffness_of_lag(const Coupling& c, const MassProperties& mass) noexcept {
-  if (in_object_norm(c.mode)) return c.k;
-  // Near the device pose a lag is a turn of at most its size over the least radius of gyration
-  // about which one turns.
-  double least = mass.inertia.maxCoeff();
-  if (!(least > 0)) return c.k_t;  // a point: it does not turn
-  const double largest = least;
-  for (const double inertia : mass.inertia)
-    if (inertia > 0) least = std::min(least, inertia);
-  return std::max(c.k_t, c.k_r / std::sqrt(least * largest));
-}
-
-constexpr double whole_force = 0.01;  // s: least time for the whole of the device's force
-
 /// s: a device that reports less often than this is slow for a force. So a pose that is wrong by a
 /// centimetre is not taken for motion, at the default runaway_speed of 2 m/s and a ratio of 1, with
 /// ticks no longer than this.
@@ -71,10 +55,9 @@ void HandLoop::restart(const Pose& X_FM) noexcept {
   passivity_.restart(X_FM);
   runaway_.restart();
   gate_.restart();
+  way_.restart();
   forget_force();
   ids_.forget();
-  way_ = way_before_ = 0;
-  leapt_ = false;
   device_.reset();
   X_FM_ = X_FM;
   jumps_ = 0;
@@ -88,9 +71,9 @@ void HandLoop::restart(const Pose& X_FM) noexcept {
 
 /// What the limits keep of the last force. The next one rises from zero.
 void HandLoop::forget_force() noexcept {
-  damping_ = passed_ = Wrench{};
+  damping_ = Wrench{};
   carried_.restart();
-  unspent_ = fresh_for_ = 0;
+  way_.forget_force();
 }
 
 Withheld HandLoop::fault(const HandSample& sample) const noexcept {
@@ -132,7 +115,12 @@ void HandLoop::follow(const HandSample& sample, double dt) noexcept {
   const double ratio = can_throw && sample.device->ratio > 0 ? sample.device->ratio : 1;
   // If a device reports less often than the servo samples, one tick has the motion of several.
   const double since = std::clamp(sample.since, dt, std::max(dt, longest_since));
-  measure_way(before, fastest_.way * ratio, since, dt);
+  way_.measure(mass_, {.before = before,
+                       .now = X_FM_,
+                       .force = out_.wrench.force,
+                       .fastest = fastest_.way * ratio,
+                       .since = since,
+                       .dt = dt});
   runaway_.set_fastest(fastest);
   if (!sample.device && !sample.trial) return runaway_.restart();
   if (!trusted || sample.changed || !(dt > 0)) return runaway_.lose_track();
@@ -144,59 +132,6 @@ void HandLoop::follow(const HandSample& sample, double dt) noexcept {
   const Vec3 turn = rotation_vector(X_FM_.q * before.q.conjugate());
   runaway_.observe(of_hand(X_FM_ * mass_.com - before * mass_.com, sample.device->ratio),
                    of_hand(turn, sample.device->turn_ratio), dt, pushed());
-}
-
-void HandLoop::measure_way(const Pose& before, double fastest, double since, double dt) noexcept {
-  way_before_ = way_;
-  way_ = Chart(mass_, before).coordinates(X_FM_).norm();
-  leapt_ = fastest > 0 && way_ > fastest * since;
-  // Until the next report is due, what this one has told is how the hand moves.
-  const bool waits = !(way_ > 0) && fresh_for_ > 0;
-  fresh_for_ = waits ? fresh_for_ - dt : since - dt;
-  if (leapt_) way_ = unspent_ = 0;  // no hand moves that fast
-  withdrawn_ = way_;
-  if (waits) return;
-  const Vec3 moved = X_FM_ * mass_.com - before * mass_.com;
-  const double force = out_.wrench.force.norm();
-  const double given = force > 0 ? out_.wrench.force.dot(moved) / force : 0;
-  yields_ = since > 0 ? given / since : 0;
-  velocity_ = since > 0 ? Vec3(moved / since) : Vec3(Vec3::Zero());
-  // The force may grow only with motion against it or across it, not with motion in its direction.
-  if (given > 0) way_ = std::sqrt(std::max(0.0, way_ * way_ - given * given));
-}
-
-/// A report permits a change by what the hand moved. What a tick makes less of it, because of the
-/// device's own limit, is left to the ticks until the next report is due.
-void HandLoop::spend(const Wrench& passed, double dt) noexcept {
-  const double spent = per_way_ > 0 ? (passed.force - passed_.force).norm() / per_way_ : infinity;
-  unspent_ = fresh_for_ > dt / 2 ? std::max(0.0, way_ + unspent_ - spent) : 0;
-  passed_ = passed;
-}
-
-/// Limits the change of the wrench: to twice what the hand's own motion can cause, plus the rate at
-/// which other causes may change it (a contact that jumps to another position, a pose that is wrong
-/// for a tick, other gains). Out of contact the wrench ends immediately, unless the pose leapt
-/// there.
-void HandLoop::set_slew(double dt) noexcept {
-  constexpr double margin = 2;
-  if (!(rate_.force > 0) || !(dt > 0)) return gate_.set_slew({});
-  const Coupling& c = coupler_.coupling();
-  const bool object = in_object_norm(c.mode);
-  const double b_t = c.mode == Coupling::Mode::object ? 0 : c.b_t;
-  const double largest = mass_.inertia.maxCoeff();
-  const double per_turn = largest > 0 ? 1 / std::sqrt(largest) : 0;
-  const double stiff = object ? c.k : c.k_t;
-  const double turning = object ? c.k / (per_turn > 0 ? per_turn : 1) : c.k_r * per_turn;
-  const double turning_b = object ? b_t / (per_turn > 0 ? per_turn : 1) : c.b_r * per_turn;
-  const double way = way_ + unspent_, both = (way + way_before_) / dt;
-  per_way_ = margin * stiff;
-  ForceGate::Slew slew{margin * (stiff * way + b_t * both) / dt,
-                       margin * (turning * way + turning_b * both) / dt,
-                       out_.separation.status == Status::separated && !leapt_,
-                       margin * stiff * withdrawn_ / dt, margin * turning * withdrawn_ / dt};
-  slew.force = std::min(slew.force, most_force() / whole_force) + rate_.force;
-  slew.torque = std::min(slew.torque, most_torque() / whole_force) + rate_.torque;
-  gate_.set_slew(slew);
 }
 
 double HandLoop::most_force() const noexcept {
@@ -223,7 +158,7 @@ void HandLoop::set_change_rate(const HandSample& sample) noexcept {
   else
     whole_rate_ = rate_;
   // If the handle yields to the force, as it does if nobody holds it, the force rises more slowly.
-  const double share = share_where_it_yields(at_handle(yields_));
+  const double share = share_where_it_yields(at_handle(way_.yields()));
   rate_.force *= share;
   rate_.torque *= share;
   gate_.set_change_rate(rate_);
@@ -286,7 +221,7 @@ Wrench HandLoop::wanted(const HandSample& sample, double dt) noexcept {
   if (!anew && contact && device_ && pushed()) carry_over(felt, now, scaled ? sample.rescaled : 1);
   max_force_ = coupler_.coupling().max_force;
   max_torque_ = coupler_.coupling().max_torque;
-  return carried_.added_to(now, whole_rate_, velocity_ * at_handle(1), dt);
+  return carried_.added_to(now, whole_rate_, way_.velocity() * at_handle(1), dt);
 }
 
 void HandLoop::carry_over(const Wrench& felt, const Wrench& now, double rescaled) noexcept {
@@ -354,7 +289,7 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
   device_ = sample.device;
   set_change_rate(sample);
   passivity_.set_device(sample.device);
-  passivity_.observe(X_FM_, clock.dt, leapt_ && device_ && !sample.trial, sample.since);
+  passivity_.observe(X_FM_, clock.dt, way_.leapt() && device_ && !sample.trial, sample.since);
   separate(contacts, clock);
   if (out_.separation.status == Status::separated) runaway_.release();
   out_.hand.held = sample.held;
@@ -370,10 +305,11 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
   out_.hand.asked = wanted(sample, clock.dt);
   const bool given = reason == Withheld::nothing || reason == Withheld::unsettled;
   const bool acts = given && device_ && device_->force;
-  set_slew(clock.dt);
+  gate_.set_slew(way_.slew(mass_, coupler_.coupling(), {most_force(), most_torque()}, rate_,
+                           out_.separation.status == Status::separated, clock.dt));
   const Limits most = limits();
   const Wrench passed = gate_.pass(out_.hand.asked, reason, most.force, most.torque, clock.dt);
-  spend(passed, clock.dt);
+  way_.spend(passed, clock.dt);
   if (!given) carried_.restart();
   if (!acts) damping_ = Wrench{};
   out_.wrench = acts ? damped(passed, clock.dt) : passed;
@@ -389,7 +325,7 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
 /// the ramp: after a fault it rises from zero too.
 Wrench HandLoop::damped(const Wrench& passed, double dt) noexcept {
   const Wrench wanted = passivity_.control(passed);
-  const double share = dt > 0 ? dt / whole_force : 0;
+  const double share = dt > 0 ? dt / HandWay::whole_force : 0;
   const Vec3 force = gate_.share() * (wanted.force - passed.force);
   const Vec3 torque = gate_.share() * (wanted.torque - passed.torque);
   damping_.force = towards(force, damping_.force, share * most_force());
@@ -441,7 +377,7 @@ const HandTick& HandLoop::fade(const HandSample& sample, double dt, double time)
     const double by = std::max(rate * dt, size * dt / time);
     return size > by ? Vec3(of * (1 - by / size)) : Vec3(Vec3::Zero());
   };
-  const double along = at_handle(yields_);
+  const double along = at_handle(way_.yields());
   out_.wrench.force = less(out_.wrench.force, force, rate_of_end(force, whole_rate_.force, along));
   out_.wrench.torque =
       less(out_.wrench.torque, torque, rate_of_end(torque, whole_rate_.torque, along));

@@ -7,6 +7,7 @@
 #include "engine/haptics/safety/borne_gains.hpp"
 #include "engine/haptics/safety/carried_force.hpp"
 #include "engine/haptics/safety/force_gate.hpp"
+#include "engine/haptics/safety/hand_way.hpp"
 #include "engine/haptics/safety/passivity.hpp"
 #include "engine/haptics/safety/runaway.hpp"
 #include "engine/penetration/contact/contact_clusters.hpp"
@@ -124,12 +125,6 @@ class HandLoop {
   };
   /// Those of the coupling; what is carried over may be above them.
   Limits limits() const noexcept;
-  /// Measures the hand's motion in this tick, from which the permitted change of the wrench
-  /// follows. `fastest`: what moves faster leapt, m/s; 0: nothing does; `since`: time of
-  /// the motion, s.
-  void measure_way(const Pose& before, double fastest, double since, double dt) noexcept;
-  void set_slew(double dt) noexcept;
-  void spend(const Wrench& passed, double dt) noexcept;
   /// The limits of the wrench: those of the coupling, and those of the device if known.
   double most_force() const noexcept;
   /// Of the handle, from a speed of the probe, m/s.
@@ -160,6 +155,7 @@ class HandLoop {
   Coupler coupler_;
   Passivity passivity_;
   Runaway runaway_;
+  HandWay way_;
   ForceGate gate_;
   Wrench damping_;  ///< of the last tick, part of its wrench
   CarriedForce carried_;
@@ -170,16 +166,7 @@ class HandLoop {
   /// Since the start, or since another device was handed over, no tick had a device and a contact.
   bool anew_ = true;
   ClusterIds ids_;
-  double lag_ = 0;                   ///< m, of the last answer (LocalAnswer)
-  double way_ = 0, way_before_ = 0;  ///< m, in the object norm, of the last two ticks
-  double withdrawn_ = 0;  ///< m, of the last tick: also what was in the force's direction
-  double unspent_ = 0;    ///< m: the part of it by which the force has not changed yet
-  double per_way_ = 0;    ///< N/m: the change of force that it permits
-  double fresh_for_ = 0;  ///< s until the device's next report is due; at most 0: each tick has one
-  Wrench passed_;         ///< by the gate, in the last tick
-  bool leapt_ = false;    ///< the pose moved further than a hand moves in a tick
-  double yields_ = 0;     ///< m/s, speed of the probe in the direction of the last force
-  Vec3 velocity_ = Vec3::Zero();        ///< m/s, of the probe, by the last report
+  double lag_ = 0;                      ///< m, of the last answer (LocalAnswer)
   std::optional<DeviceTraits> device_;  ///< of the last tick
   Pose X_FM_;
   std::uint64_t jumps_ = 0;            ///< of the previous rows
