@@ -142,6 +142,7 @@ class MainWindow : public QMainWindow {
   void add_sides();
   void fade_hint();
   void lay_desk();
+  void let_go_to_close();
   void place(const Pose& X_FM);
   void follow_mouse(const Pose& X_FM);
   void keep_motion(const Pose& before, bool one_of_many);
@@ -171,7 +172,8 @@ class MainWindow : public QMainWindow {
   void restore_window();
 
   Prompts prompts_;
-  Endings endings_;  ///< of the sessions before
+  Endings endings_;        ///< of the sessions before
+  QElapsedTimer closing_;  ///< since the window was to close, where a device is let go first
   DrawnSession drawn_;
   std::unique_ptr<Opener> opener_;
   Viewport* viewport_;

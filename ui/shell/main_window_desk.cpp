@@ -5,13 +5,16 @@
 #include <QApplication>
 #include <QDragEnterEvent>
 #include <QLayout>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
 #include <QSettings>
+#include <QStatusBar>
 #include <QTimer>
 #include <QUrl>
 #include <utility>
 
+#include "engine/haptics/loop/hand_loop.hpp"
 #include "ui/actions/document_control.hpp"
 #include "ui/actions/history_control.hpp"
 #include "ui/panels/device_panel.hpp"
@@ -19,6 +22,7 @@
 #include "ui/panels/readout_panel.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/shell/side_bar.hpp"
+#include "ui/shell/start_page.hpp"
 #include "ui/views/viewport.hpp"
 
 namespace sonde::ui {
@@ -85,12 +89,35 @@ void MainWindow::restore_window() {
   restoreState(settings.value(QStringLiteral("docks")).toByteArray(), state_version);
 }
 
+/// Esc ends the force of a device at once, as long as there is a window: it closes once a force
+/// that is felt has fallen.
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!documents_->may_leave()) return event->ignore();
-  QSettings settings;
-  settings.setValue(QStringLiteral("geometry"), saveGeometry());
-  settings.setValue(QStringLiteral("docks"), desk_.isEmpty() ? saveState(state_version) : desk_);
+  if (!closing_.isValid()) {
+    if (!documents_->may_leave()) return event->ignore();
+    QSettings settings;
+    settings.setValue(QStringLiteral("geometry"), saveGeometry());
+    settings.setValue(QStringLiteral("docks"), desk_.isEmpty() ? saveState(state_version) : desk_);
+    if (felt_ && session()) let_go_to_close();
+  }
+  constexpr auto longest_ms = static_cast<qint64>(1000 * HandLoop::longest_fade) + 500;
+  if (closing_.isValid() && !closing_.hasExpired(longest_ms) && !endings_.unended().empty())
+    return event->ignore();
   QMainWindow::closeEvent(event);
+}
+
+/// The force falls, and the window closes after that.
+void MainWindow::let_go_to_close() {
+  constexpr int look_every_ms = 10;
+  closing_.start();
+  show_nothing();
+  setAcceptDrops(false);
+  menuBar()->setEnabled(false);
+  start_page_->setEnabled(false);
+  statusBar()->showMessage(
+      QStringLiteral("Letting go of the device, then closing. Esc ends its force at once."));
+  auto* look = new QTimer(this);
+  connect(look, &QTimer::timeout, this, &QWidget::close);
+  look->start(look_every_ms);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
