@@ -35,6 +35,10 @@ Hand awaited(Hand hand, std::vector<LoopEnded> before, const Pose& X_FM) {
           .render =
               [s](const Wrench& wrench) {
                 if (s->asked && s->hand.render) s->hand.render(wrench);
+              },
+          .follow =
+              [s](double behind) {
+                if (s->asked && s->hand.follow) s->hand.follow(behind);
               }};
 }
 

@@ -8,29 +8,45 @@
 namespace sonde {
 namespace {
 
-/// Factor on the duration of the motion from one target to the next, after a target that came late.
-/// (With a target every 10 ms after one that took 110 ms, the probe moves at up to 1.7, 2.4 and 3.3
-/// times the speed of the mouse with 0.9, 0.8 and 0.7, and has caught up after 180, 100 and 70 ms.)
-constexpr double shortened_to = 0.8;
+/// What the probe is behind by, it catches up with at this multiple of the mouse's speed at most.
+/// (With a target every 10 ms after one that took 110 ms, it has caught up after that time.)
+constexpr double catching_up = 2;
+
+/// Up to this, a loop that is behind does not slow the probe down.
+constexpr double hardly_behind = 0.5;
 
 }  // namespace
 
+double DirectHand::part() const noexcept { return gone_ < duration_ ? gone_ / duration_ : 1; }
+
 Pose DirectHand::now() const noexcept {
-  if (since_ >= duration_) return to_;
-  const double part = since_ / duration_;
-  return {rotation_between(from_.q, to_.q, part), from_.p + part * (to_.p - from_.p)};
+  const double done = part();
+  if (done >= 1) return to_;
+  return {rotation_between(from_.q, to_.q, done), from_.p + done * (to_.p - from_.p)};
+}
+
+double DirectHand::pace(double dt) noexcept {
+  if (!(behind_ > hardly_behind)) waited_ = 0;
+  const double share = std::clamp((1 - behind_) / (1 - hardly_behind), 0.0, 1.0);
+  if (share >= 1 || waited_ >= longest_wait) return 1;
+  waited_ += (1 - share) * dt;
+  return share;
 }
 
 Pose DirectHand::next(double dt) noexcept {
   // dt = 0: the first sample of a run (also after the probe was placed), or after a pause of the
   // loop.
-  since_ = dt > 0 ? since_ + dt : 2 * longest_pause;
+  const bool paused = !(dt > 0);
+  since_ = paused ? 2 * longest_pause : since_ + dt;
+  gone_ = paused ? duration_ : gone_ + pace(dt) * dt;
   if (targets_.update()) {
     from_ = now();
     to_ = targets_.front();
-    // After a delay of the window, the probe catches up gradually.
-    duration_ = since_ <= longest_pause ? std::max(since_, shortened_to * duration_) : 0;
-    since_ = 0;
+    // After a delay of the window, or of the loop, the probe catches up gradually.
+    const double interval = since_ <= longest_pause ? since_ : 0;
+    mouse_ = (1 - part()) * mouse_ + interval;
+    duration_ = std::max(interval, mouse_ / catching_up);
+    since_ = gone_ = 0;
   }
   return now();
 }

@@ -31,8 +31,8 @@ struct HandSample {
 };
 
 /// The source of the probe's pose and the receiver of the force: a mouse, a device, a simulated
-/// one, or a recorded path. Both functions are called on the servo thread only, once in each tick
-/// and in this order, and neither allocates, locks, logs, throws or waits. When the servo stops,
+/// one, or a recorded path. All functions are called on the servo thread only, once in each tick
+/// and in this order, and none allocates, locks, logs, throws or waits. When the servo stops,
 /// render gets a zero wrench once more, even if there was no tick.
 struct Hand {
   /// dt: s since the last sample; 0 for the first.
@@ -40,6 +40,9 @@ struct Hand {
   /// Receives the wrench on the hand, about the probe's centre of mass at the sampled pose, in the
   /// fixed frame, after every limit. May be empty.
   std::function<void(const Wrench&)> render;
+  /// Receives how far the loop is behind the probe (HandLoop::behind). A hand that is nobody's may
+  /// wait for it. May be empty.
+  std::function<void(double behind)> follow = {};
 };
 
 }  // namespace sonde

@@ -31,6 +31,10 @@ Hand HandSwitch::hand() {
                 // A servo that is stopped before its first tick still renders the final zero
                 // wrench.
                 if (held_ && held_->render) held_->render(wrench);
+              },
+          .follow =
+              [this](double behind) {
+                if (held_ && held_->follow) held_->follow(behind);
               }};
 }
 

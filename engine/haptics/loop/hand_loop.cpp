@@ -91,9 +91,13 @@ Withheld HandLoop::fault(const HandSample& sample, const LocalContacts& contacts
   return is_unsettled() ? Withheld::unsettled : Withheld::nothing;
 }
 
-bool HandLoop::is_unsettled() const noexcept {
-  if (out_.separation.converged || !(force_error_ > 0)) return false;
-  return stiffness_of_lag(coupler_.coupling(), mass_) * lag_ > force_error_;
+double HandLoop::unsettled_share() const noexcept {
+  if (out_.separation.converged || !(force_error_ > 0)) return 0;
+  return stiffness_of_lag(coupler_.coupling(), mass_) * lag_ / force_error_;
+}
+
+double HandLoop::behind() const noexcept {
+  return std::max(unsettled_share(), out_.hand.rows.age / stalled_after_);
 }
 
 Withheld HandLoop::overdue(const LocalContacts& contacts, const Clock& clock) const noexcept {

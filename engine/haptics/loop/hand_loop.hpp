@@ -102,6 +102,10 @@ class HandLoop {
   const HandTick& last() const noexcept { return out_; }
   /// The newest trusted device pose, to be passed to the geometry.
   const Pose& device() const noexcept { return X_FM_; }
+  /// How far the geometry is behind in the last tick, as a share of what withholds the force: the
+  /// error of an answer that has not converged, or the age of the rows. 0: not at all; from 1 on
+  /// there is no force, or there soon will be none.
+  double behind() const noexcept;
 
  private:
   Withheld fault(const HandSample& sample, const LocalContacts& contacts,
@@ -112,7 +116,8 @@ class HandLoop {
   /// True if the geometry's answer has not converged, and the probe lags so far behind that the
   /// error of the force may exceed the limit (LocalAnswer::lag). Where the rows' optimum is within
   /// the way for which they are trusted, it gives the force, as it does for old rows.
-  bool is_unsettled() const noexcept;
+  bool is_unsettled() const noexcept { return unsettled_share() > 1; }
+  double unsettled_share() const noexcept;
   void follow(const HandSample& sample, double dt) noexcept;
   void set_change_rate(const HandSample& sample) noexcept;
   /// `rescaled`: see HandSample; 0: the force begins anew.

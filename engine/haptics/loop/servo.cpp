@@ -156,6 +156,7 @@ class Servo::State::Run {
         s_.force.load(std::memory_order_relaxed) ? Withheld::nothing : Withheld::stopped;
     const HandTick& done = s_.loop.tick(hand, contacts, clock, why);
     render(done.wrench);
+    if (s_.hand.follow) s_.hand.follow(s_.loop.behind());
     s_.geometry.ask(s_.loop.device(), clock.tick, clock.now);
     meter_.tick(begin);
     const std::int64_t end = monotonic_ns();

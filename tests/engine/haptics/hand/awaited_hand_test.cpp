@@ -9,7 +9,7 @@ namespace sonde {
 namespace {
 
 struct Asked {
-  int samples = 0, renders = 0;
+  int samples = 0, renders = 0, follows = 0;
   double dt = -1;
   Hand hand() {
     return {.sample =
@@ -18,7 +18,8 @@ struct Asked {
                   dt = time;
                   return HandSample{.X_FM = {Quat::Identity(), Vec3(1, 0, 0)}};
                 },
-            .render = [this](const Wrench&) { ++renders; }};
+            .render = [this](const Wrench&) { ++renders; },
+            .follow = [this](double) { ++follows; }};
   }
 };
 
@@ -30,6 +31,7 @@ TEST(AwaitedHand, it_is_not_asked_before_every_loop_has_ended) {
   const auto tick = [&] {
     const HandSample sample = hand.sample(0.001);
     hand.render({});
+    hand.follow(1);
     return sample;
   };
   for (int i = 0; i < 3; ++i) {
@@ -39,7 +41,7 @@ TEST(AwaitedHand, it_is_not_asked_before_every_loop_has_ended) {
     EXPECT_FALSE(waits.device);
     if (i == 1) *one = true;
   }
-  EXPECT_EQ(asked.samples + asked.renders, 0);
+  EXPECT_EQ(asked.samples + asked.renders + asked.follows, 0);
   *other = true;
   const HandSample first = tick();
   EXPECT_EQ(first.X_FM.p, Vec3(1, 0, 0));
@@ -49,6 +51,7 @@ TEST(AwaitedHand, it_is_not_asked_before_every_loop_has_ended) {
   EXPECT_EQ(asked.dt, 0.001);
   EXPECT_EQ(asked.samples, 2);
   EXPECT_EQ(asked.renders, 2);
+  EXPECT_EQ(asked.follows, 2);
 }
 
 TEST(AwaitedHand, where_nothing_is_to_be_awaited_it_is_the_hand_itself) {

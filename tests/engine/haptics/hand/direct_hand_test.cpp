@@ -105,8 +105,73 @@ TEST(DirectHand, a_target_that_comes_early_is_gone_to_from_where_the_probe_is) {
   for (int tick = 1; tick < 5; ++tick) hand.sample(1e-3);
   go(1);  // the way to 2 is half gone
   EXPECT_NEAR(hand.sample(1e-3).X_FM.p.x(), 1.5, 1e-12);
-  // Over 0.8 of the 10 ms that it took to the last one.
-  EXPECT_NEAR(hand.sample(1e-3).X_FM.p.x(), 1.5 - 0.5 / 8, 1e-12);
+  // Half of the 10 ms to the last target is left, and the mouse took 5 to this one: 10 at twice
+  // its speed, but 5 at least.
+  EXPECT_NEAR(hand.sample(1e-3).X_FM.p.x(), 1.5 - 0.5 / 5, 1e-12);
+}
+
+// A drag at 1 a tick, a target every 10 ticks, and a loop that is behind for 50 ticks of it.
+TEST(DirectHand, the_probe_stands_while_the_loop_is_behind_and_catches_up_afterwards) {
+  const auto x = [](double at) { return Pose{Quat::Identity(), Vec3(at, 0, 0)}; };
+  DirectHand direct(x(0));
+  const Hand hand = direct.hand();
+  double last = 0, stood_at = 0, fastest = 0;
+  for (int tick = 1; tick <= 400; ++tick) {
+    if (tick % 10 == 0) direct.set_target(x(tick));
+    const double now = hand.sample(1e-3).X_FM.p.x();
+    const bool behind = tick >= 100 && tick < 150;
+    hand.follow(behind ? 1.5 : 0.3);
+    if (tick == 101) stood_at = last;
+    if (tick > 101 && tick <= 150) {
+      EXPECT_EQ(now, stood_at) << tick;
+    }
+    if (tick > 30) fastest = std::max(fastest, now - last);
+    last = now;
+  }
+  EXPECT_LE(fastest, 2 + 1e-9) << "twice the mouse's speed";
+  EXPECT_NEAR(last, 400 - 10, 1) << "a target behind the mouse, as without";
+}
+
+TEST(DirectHand, a_loop_that_is_somewhat_behind_makes_the_probe_slow_and_none_stops_it_for_ever) {
+  const auto x = [](double at) { return Pose{Quat::Identity(), Vec3(at, 0, 0)}; };
+  DirectHand direct(x(0));
+  const Hand hand = direct.hand();
+  const auto pose = [&] { return hand.sample(1e-3).X_FM.p.x(); };
+  hand.sample(1e-3);
+  direct.set_target(x(0));
+  for (int tick = 0; tick < 100; ++tick) pose();
+  direct.set_target(x(100));  // over 100 ticks
+  pose();
+  hand.follow(0.75);
+  const double at = pose();
+  EXPECT_NEAR(pose() - at, 0.5, 1e-9) << "half way between hardly and wholly behind";
+  hand.follow(2);
+  int stood = 0;
+  for (double before = pose(), now; (now = pose()) == before && stood < 1000; ++stood) before = now;
+  EXPECT_NEAR(1e-3 * stood, DirectHand::longest_wait, 5e-3);
+  for (int tick = 0; tick < 100; ++tick) pose();
+  EXPECT_EQ(pose(), 100);
+}
+
+TEST(DirectHand, a_pause_of_the_mouse_is_no_leap_for_a_probe_that_waits) {
+  const auto x = [](double at) { return Pose{Quat::Identity(), Vec3(at, 0, 0)}; };
+  DirectHand direct(x(0));
+  const Hand hand = direct.hand();
+  const auto pose = [&] { return hand.sample(1e-3).X_FM.p.x(); };
+  hand.sample(1e-3);
+  direct.set_target(x(0));
+  for (int tick = 0; tick < 100; ++tick) pose();
+  direct.set_target(x(100));
+  for (int tick = 0; tick < 190; ++tick) {
+    pose();
+    hand.follow(1);
+  }
+  hand.follow(0);
+  for (int tick = 0; tick < 20; ++tick) pose();
+  direct.set_target(x(200));
+  const double before = pose();
+  EXPECT_LT(before, 30);
+  EXPECT_LT(pose() - before, 5);
 }
 
 }  // namespace

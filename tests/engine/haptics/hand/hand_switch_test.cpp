@@ -20,8 +20,9 @@ struct Recorded {
                        last_dt = dt;
                        return HandSample{.X_FM = {Quat::Identity(), Vec3(number, 0, 0)}};
                      },
-                 .render = [this](const Wrench& wrench) { last_force = wrench.force; }})) {}
-  double last_dt = -1;
+                 .render = [this](const Wrench& wrench) { last_force = wrench.force; },
+                 .follow = [this](double behind) { last_behind = behind; }})) {}
+  double last_dt = -1, last_behind = -1;
   Vec3 last_force = Vec3(-1, -1, -1);
   std::shared_ptr<const Hand> hand;
 };
@@ -41,6 +42,9 @@ TEST(HandSwitch, the_newest_hand_holds_and_the_one_before_ends_without_force) {
   EXPECT_TRUE(handed_over.changed) << "the force comes in from zero";
   EXPECT_EQ(second.last_dt, 0) << "its first";
   EXPECT_EQ(first.last_force, Vec3(0, 0, 0));
+  hand.follow(0.5);
+  EXPECT_EQ(first.last_behind, -1);
+  EXPECT_EQ(second.last_behind, 0.5);
   hand.render({.force = Vec3(0, 1, 0)});
   EXPECT_EQ(second.last_force, Vec3(0, 1, 0));
   EXPECT_FALSE(hand.sample(0.001).changed);

@@ -92,6 +92,7 @@ TEST(HandLoop, a_probe_that_lags_gives_its_force_up_beyond_what_it_may_be_off_by
   // 0.2 N are let by.
   for (int k = 0; k < 100; ++k)
     EXPECT_EQ(bench.tick(false, bench.trusted() + 0.4e-3).hand.withheld, Withheld::nothing) << k;
+  EXPECT_NEAR(bench.loop.behind(), 0.2 / 0.3, 0.02);
   EXPECT_NEAR(bench.loop.last().wrench.force.norm(), 1.2, 0.02);
   EXPECT_EQ(bench.tick(true, 0).hand.withheld, Withheld::nothing);
   double before = bench.loop.last().wrench.force.norm();
