@@ -8,6 +8,7 @@
 #include <optional>
 #include <thread>
 
+#include "engine/haptics/hand/direct_hand.hpp"
 #include "engine/haptics/loop/servo.hpp"
 #include "engine/platform/processor_time.hpp"
 #include "engine/platform/wakeful_processors.hpp"
@@ -25,6 +26,8 @@ struct Options {
   std::optional<std::string> fitted;
   double seconds = 60;
   double rate_hz = 0;
+  double picture_ms = 0;
+  bool hurried = false;
   bool awake = false;
   bool histogram = false;
 };
@@ -33,6 +36,14 @@ struct Options {
 class PathThereAndBack {
  public:
   explicit PathThereAndBack(std::vector<TimedPose> path) : path_(std::move(path)) {}
+
+  /// Where the hand is `dt` (s) later.
+  Pose after(double dt) {
+    const double length = path_.back().t - path_.front().t;
+    time_ = std::fmod(time_ + dt, 2 * length);
+    const double t = path_.front().t + (time_ < length ? time_ : 2 * length - time_);
+    return pose_at(path_, t);
+  }
 
   Hand hand() {
     return {.sample = [this](double dt) { return sample(dt); },
@@ -44,10 +55,7 @@ class PathThereAndBack {
  private:
   HandSample sample(double dt) {
     begin_ = processor_time_us();
-    const double length = path_.back().t - path_.front().t;
-    time_ = std::fmod(time_ + dt, 2 * length);
-    const double t = path_.front().t + (time_ < length ? time_ : 2 * length - time_);
-    return {.X_FM = pose_at(path_, t)};
+    return {.X_FM = after(dt)};
   }
 
   std::vector<TimedPose> path_;
@@ -66,13 +74,19 @@ struct Seen {
   std::uint64_t faded = 0;
   double least_share = 1;
   double largest_force = 0;
+  /// With a reason that the program's log gives: an answer that is not settled is one after 20 ms.
+  std::uint64_t logged = 0;
+  double settled_at = 0;  ///< s
   void take(const Snapshot& s) {
     ++ticks;
+    const bool fading = s.hand.withheld == Withheld::unsettled;
+    if (!fading) settled_at = s.time;
+    logged += s.hand.withheld != Withheld::nothing && !(fading && s.time - settled_at < 0.02);
     contact += s.separation.status == Status::penetrating;
     failed += s.separation.status == Status::failed;
     held_back += s.hand.rows.held_back;
     ++withheld[static_cast<std::size_t>(s.hand.withheld)];
-    if (s.hand.withheld == Withheld::unsettled) {
+    if (fading) {
       faded += s.hand.share <= 0;
       if (s.hand.share > 0) least_share = std::min(least_share, s.hand.share);
     }
@@ -122,8 +136,11 @@ bool run(const Held& held, const Options& o) {
   if (o.rate_hz > 0) settings.rate_hz = o.rate_hz;
   const WakefulProcessors awake(o.awake);
   PathThereAndBack hand(held.path);
+  DirectHand mouse(held.path.front().pose);
+  Hand holding = o.picture_ms > 0 ? mouse.hand() : hand.hand();
+  if (o.hurried) holding.follow = {};
   Servo servo(held.pair, Method::pdg, held.coupling, settings);
-  servo.start(held.path.front().pose, hand.hand());
+  servo.start(held.path.front().pose, holding);
 
   Seen seen;
   Snapshot snapshot;
@@ -134,9 +151,14 @@ bool run(const Held& held, const Options& o) {
   std::this_thread::sleep_for(std::chrono::milliseconds(100));  // the threads have begun
   test::ProcessAllocationCounter counter;
   const auto end = steady_clock::now() + std::chrono::duration<double>(o.seconds);
-  while (steady_clock::now() < end) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(16));
+  const std::chrono::duration<double> picture(o.picture_ms > 0 ? 1e-3 * o.picture_ms : 0.016);
+  for (auto last = steady_clock::now(); last < end;) {
+    std::this_thread::sleep_for(picture);
     read();
+    const auto now = steady_clock::now();
+    if (o.picture_ms > 0)
+      mouse.set_target(hand.after(std::chrono::duration<double>(now - last).count()));
+    last = now;
   }
   counter.stop();
   servo.stop();
@@ -164,6 +186,8 @@ bool run(const Held& held, const Options& o) {
                   words(static_cast<Withheld>(i)));
   std::printf("faded to nothing for %llu ticks, else to %.0f %%\n",
               static_cast<unsigned long long>(seen.faded), 100 * seen.least_share);
+  std::printf("without force by the log for %llu ticks\n",
+              static_cast<unsigned long long>(seen.logged));
   std::printf("held back %llu, failed %llu, dropped by the reader %llu; largest force %.2f N\n",
               static_cast<unsigned long long>(seen.held_back),
               static_cast<unsigned long long>(seen.failed),
@@ -199,6 +223,11 @@ int main(int argc, char** argv) {
   app.add_option("--fitted", o.fitted, "parts that fit into each other whose names hold this");
   app.add_option("--seconds", o.seconds, "how long")->capture_default_str();
   app.add_option("--rate-hz", o.rate_hz, "of the servo; 0: the scene's own");
+  app.add_option("--mouse", o.picture_ms,
+                 "a mouse drags the probe along the path, with a pose each so many ms; 0: a hand "
+                 "that has one in each tick")
+      ->check(CLI::Range(0.0, 1000.0));
+  app.add_flag("--hurried", o.hurried, "what the mouse drags does not wait for the loop");
   app.add_flag("--awake", o.awake,
                "keep the processors awake, as the thread of a force device does");
   app.add_flag("--histogram", o.histogram, "print the bins too");
