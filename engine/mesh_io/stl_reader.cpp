@@ -122,7 +122,7 @@ bool is_other_text(std::string_view bytes) {
   if (has_controls(start)) return false;
   const std::size_t first = start.find_first_not_of("\xef\xbb\xbf \t\r\n");
   return first != start.npos &&
-         (start[first] == '<' || start[first] == '{' || start.find('\n') != start.npos);
+         (start[first] == '<' || start[first] == '{' || start.find_first_of("\r\n") != start.npos);
 }
 
 /// Not even by intention: it begins as files of another kind do, or the count would be a file of

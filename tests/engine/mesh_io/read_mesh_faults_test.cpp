@@ -309,6 +309,7 @@ TEST(MeshFaults, a_file_of_another_kind_is_no_stl) {
          {"<html></html>", ": is not an STL file (it begins with \"<html></…\")"},
          {"{\"a\": 1}", ": is not an STL file (it begins with \"{\"a\": 1}\")"},
          {"x,y,z\n1,2,3\n", ": is not an STL file (it begins with \"x,y,z\\x0a1,…\")"},
+         {"x;y;z\r1;2;3\r", ": is not an STL file (it begins with \"x;y;z\\x0d1;…\")"},
          // A line ends where a count would be: 0x0a202020 triangles are 8 GB.
          {std::string(80, 'a') + "   \nand more",
           ": is not an STL file (it begins with "
