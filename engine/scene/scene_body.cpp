@@ -139,8 +139,9 @@ void require_different_names(const SceneBody& whole) {
   std::set<std::string> names;
   for (const SceneBody& part : whole.parts)
     if (const std::string name = part_name(part); !names.insert(name).second)
-      throw wrong(whole, part,
-                  "is a part named " + in_quotes(name) + " as another is: give each a \"name\"");
+      throw wrong(
+          whole, part,
+          "is a part named " + in_quotes(name) + " as another is: give each a \"name\" of its own");
 }
 
 /// What makes parts alike, wherever they stand.

@@ -157,7 +157,8 @@ SceneBody SceneReader::body(const JsonNode& node, double unit) const {
     read_part(part, whole.parts.back());
     const std::string name = part_name(whole.parts.back());
     if (!names.insert(name).second)
-      fail(part.line, "two parts are named " + in_quotes(name) + ": give each a \"name\"");
+      fail(part.line,
+           "two parts are named " + in_quotes(name) + ": give each a \"name\" of its own");
   }
   if (std::ranges::none_of(whole.parts, &SceneBody::felt))
     fail(node.line, "no part of " + in_quotes(node.key) + " is felt");

@@ -146,7 +146,7 @@ TEST_F(SceneParts, what_is_not_felt_is_no_part_of_the_body) {
 TEST_F(SceneParts, parts_that_are_none_are_refused_with_the_line) {
   EXPECT_THAT(complaint("[]"), HasSubstr("s.sonde.json:1: \"fixed\" has no parts"));
   EXPECT_THAT(complaint(R"([{"mesh": "box.off"}, {"mesh": "box.off"}])"),
-              HasSubstr("two parts are named \"box.off\""));
+              HasSubstr("two parts are named \"box.off\": give each a \"name\" of its own"));
   EXPECT_THAT(complaint("[{\"mesh\": \"box.off\"},\n{\"mesh\": \"gone.off\"}]"),
               HasSubstr("s.sonde.json:2: \"mesh\" names"));
   EXPECT_THAT(complaint(R"([{"mesh": "box.off", "colour": 3}])"), HasSubstr("colour"));
