@@ -56,6 +56,22 @@ TEST(Snap, a_line_lies_on_the_other_whichever_way_is_nearer) {
     }
 }
 
+// Faces that look the same way: half a turn, whose axis must not be the normals' last digits.
+TEST(Snap, a_face_that_looks_the_same_way_is_turned_over_about_an_axis_of_the_fixed_body) {
+  std::mt19937_64 random(4);
+  for (int i = 0; i < 50; ++i) {
+    Case c = random_case(random);
+    c.onto.along = Vec3::UnitZ();
+    Vec3 noise = 1e-7 * direction(random);
+    if (i == 0) noise.setZero();
+    c.own.along = (c.onto.along + noise).normalized();
+    const Pose X = snapped(c.X, SnapKind::face, c.own, c.onto);
+    EXPECT_LT((carried(c.own, c.X, X).along + c.onto.along).norm(), 1e-12);
+    const Quat turn = X.q * c.X.q.conjugate();
+    EXPECT_LT(turn.angularDistance(Quat(0, 1, 0, 0)), 1e-6) << "half a turn about x";
+  }
+}
+
 TEST(Snap, what_lies_there_stays) {
   std::mt19937_64 random(3);
   const Case c = random_case(random);
