@@ -117,7 +117,7 @@ QColor plot_background(const QPalette& palette) {
 QColor readable(const QColor& colour, const QPalette& palette) {
   const double window = luminance(palette.color(QPalette::Window));
   if (!is_light(palette)) return colour;
-  QColor darker = colour;
+  QColor darker = colour == QColor(Qt::white) ? QColor(Qt::black) : colour;
   while (darker.value() > 0 && (window + 0.05) / (luminance(darker) + 0.05) < least_contrast)
     darker.setHsv(darker.hsvHue(), darker.hsvSaturation(), std::max(darker.value() - 4, 0));
   return darker;

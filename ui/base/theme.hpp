@@ -50,7 +50,8 @@ QColor plot_background(const QPalette& palette);
 /// Text that stands back, on a window of this palette, light or dark.
 QColor faint_text(const QPalette& palette);
 
-/// The colour, or a darker one of its hue that can be read on a light window of this palette.
+/// The colour, or a darker one of its hue that can be read on a light window of this palette; black
+/// for white, which stands out most on a dark one.
 QColor readable(const QColor& colour, const QPalette& palette);
 
 /// Text in a colour of the picture, to be read on the program's windows: rich text. A QLabel that

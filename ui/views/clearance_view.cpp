@@ -7,7 +7,7 @@ namespace sonde::ui {
 namespace {
 
 constexpr double end_pixels = 3.5;
-constexpr double room_pixels = 1.1;
+constexpr double room_pixels = 1.6;
 
 }  // namespace
 

@@ -112,11 +112,13 @@ TEST(Theme, colours_can_be_read_on_a_light_window_and_stay_on_a_dark_one) {
   QPalette light, dark;
   light.setColor(QPalette::Window, QColor(240, 242, 245));
   dark.setColor(QPalette::Window, QColor(36, 41, 48));
-  for (const QColor& colour : {colour::ghost, colour::turn, colour::nearest, colour::straight,
-                               colour::force, colour::torque, colour::contact, colour::ready}) {
+  for (const QColor& colour :
+       {colour::ghost, colour::turn, colour::nearest, colour::straight, colour::force,
+        colour::torque, colour::contact, colour::ready, colour::clearance}) {
     EXPECT_GE(contrast(readable(colour, light), light.color(QPalette::Window)), 4.5);
     EXPECT_EQ(readable(colour, dark), colour);
   }
+  EXPECT_EQ(readable(colour::clearance, light), QColor(Qt::black)) << "as strong as white on dark";
 }
 
 TEST(Theme, labels_in_the_pictures_colours_can_be_read_on_it) {
