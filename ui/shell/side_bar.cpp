@@ -59,7 +59,7 @@ bool is_beside(Qt::DockWidgetArea area) {
 /// The docks that are open at either side of the view.
 std::vector<QDockWidget*> open_beside(const QMainWindow& window) {
   std::vector<QDockWidget*> open;
-  for (QDockWidget* dock : window.findChildren<QDockWidget*>())
+  for (QDockWidget* dock : window.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
     if (dock->isVisible() && !dock->isFloating() && is_beside(window.dockWidgetArea(dock)))
       open.push_back(dock);
   return open;
