@@ -3,13 +3,15 @@
 
 #include <QPainter>
 
+#include "ui/base/format.hpp"
+
 namespace sonde::ui {
 
 ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) { setTextFormat(Qt::PlainText); }
 
 void ElidedLabel::show_text(const QString& text) {
   setText(text);
-  setToolTip(text.toHtmlEscaped());
+  setToolTip(tooltip_of(text));
 }
 
 QString ElidedLabel::shown() const {

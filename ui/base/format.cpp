@@ -3,6 +3,7 @@
 
 #include <QRegularExpression>
 #include <QStringList>
+#include <QTextDocument>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -123,6 +124,10 @@ double round_down_125(double value) {
   for (const double step : {5.0, 2.0})
     if (value >= step * decade * (1 - 1e-12)) return step * decade;
   return decade;
+}
+
+QString tooltip_of(const QString& plain) {
+  return plain.isEmpty() ? QString() : Qt::convertFromPlainText(plain, Qt::WhiteSpaceNormal);
 }
 
 }  // namespace sonde::ui

@@ -47,6 +47,9 @@ QString angle_text(double radians);
 /// Three components with as many decimals as their length needs for three digits: "1.20, -0.04, 0".
 QString components_text(const Vec3& x);
 
+/// A tooltip that shows this text, line by line. As it stands, Qt would take some of it for markup.
+QString tooltip_of(const QString& plain);
+
 /// A body's name for users: the file's name, without folder and extension. Of a long
 /// one, both ends.
 QString short_name(const Body& body);

@@ -9,6 +9,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "ui/base/format.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/views/part_surface.hpp"
 
@@ -34,6 +35,7 @@ PartsPanel::PartsPanel(QWidget* parent)
   rows_->setRootIsDecorated(false);
   rows_->setIndentation(0);
   rows_->setUniformRowHeights(true);
+  rows_->setTextElideMode(Qt::ElideMiddle);  // exported names often differ at their ends
   rows_->setHeaderLabels({QStringLiteral("Part"), QStringLiteral("Shown"), QStringLiteral("Felt"),
                           QStringLiteral("Triangles")});
   rows_->headerItem()->setToolTip(
@@ -138,7 +140,8 @@ void PartsPanel::show_row(QTreeWidgetItem& row, const SceneBody& part, const QCo
                           bool only) {
   row.setText(part_name_at, QString::fromStdString(part_name(part)));
   row.setIcon(part_name_at, patch(colour));
-  row.setToolTip(part_name_at, QString::fromStdString(part.mesh.string()));
+  const QString whole = row.text(part_name_at) + '\n' + QString::fromStdString(part.mesh.string());
+  row.setToolTip(part_name_at, tooltip_of(whole));
   row.setCheckState(part_shown_at, tick(part.shown));
   row.setCheckState(part_felt_at, tick(part.felt));
   // An empty box shows on these columns, in either theme.

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "ui/base/elided_label.hpp"
+#include "ui/base/format.hpp"
 #include "ui/base/key_button.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/panels/body_mark.hpp"
@@ -91,7 +92,7 @@ void RepairsBar::show_row(std::size_t body, const std::optional<RepairsRow>& row
     line.text->show_text(QStringLiteral("%1: %2").arg(row->name, row->text));
     const QString whole = QStringLiteral("%1 %2").arg(
         body == probe ? QStringLiteral("Probe") : QStringLiteral("Fixed body"), line.text->text());
-    line.text->setToolTip(QStringLiteral("%1\n%2").arg(whole, row->in_full).toHtmlEscaped());
+    line.text->setToolTip(tooltip_of(QStringLiteral("%1\n%2").arg(whole, row->in_full)));
     line.text->setAccessibleName(whole);
     line.show->setVisible(row->can_show);
     line.repair->setVisible(row->can_be_as_in_file || row->as_in_file);

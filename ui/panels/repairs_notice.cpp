@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ui/base/elided_label.hpp"
+#include "ui/base/format.hpp"
 #include "ui/base/key_button.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/panels/body_mark.hpp"
@@ -58,7 +59,7 @@ void RepairsNotice::show_row(std::size_t body, const std::optional<RepairsRow>& 
         QStringLiteral("%1 %2: %3")
             .arg(body == RepairsBar::probe ? QStringLiteral("Probe") : QStringLiteral("Fixed body"),
                  row->name, row->text);
-    line.text->setToolTip(QStringLiteral("%1\n%2").arg(whole, row->in_full).toHtmlEscaped());
+    line.text->setToolTip(tooltip_of(QStringLiteral("%1\n%2").arg(whole, row->in_full)));
     line.text->setAccessibleName(whole);
   }
   line.row->setVisible(row.has_value());

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/base/format.hpp"
 #include "ui/base/resources.hpp"
 #include "ui/document/recent_files.hpp"
 
@@ -175,7 +176,7 @@ void StartPage::show_recent() {
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::StrongFocus);
     button->setText(recent_name(files).replace('&', QStringLiteral("&&")));
-    button->setToolTip(files.join('\n').toHtmlEscaped());
+    button->setToolTip(tooltip_of(files.join('\n')));
     connect(button, &QToolButton::clicked, this, [this, files] { emit chosen(files); });
     recent_->addWidget(button);
   }

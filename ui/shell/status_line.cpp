@@ -3,6 +3,7 @@
 
 #include <variant>
 
+#include "ui/base/format.hpp"
 #include "ui/shell/timing_text.hpp"
 
 namespace sonde::ui {
@@ -40,7 +41,7 @@ void StatusLine::show_source(const InputSource& source, const SourceReport& repo
     if (!report.device.reason.empty())
       text += QStringLiteral(" (%1)").arg(QString::fromStdString(report.device.reason));
   }
-  source_->setToolTip(text.toHtmlEscaped());
+  source_->setToolTip(tooltip_of(text));
   constexpr int longest = 70;  // characters
   source_->setText(text.size() <= longest ? text : text.left(longest - 1) + QChar(0x2026));
 }

@@ -120,7 +120,7 @@ TEST_F(RepairsTest, the_bar_comes_for_a_mended_body_alone) {
   EXPECT_FALSE(find<ElidedLabel>("mended_probe")->isVisible());
   const QString tip = find<ElidedLabel>("mended_fixed")->toolTip();
   EXPECT_TRUE(tip.contains("agree with neighbours")) << tip.toStdString();
-  EXPECT_TRUE(tip.startsWith("Fixed body turned"));
+  EXPECT_TRUE(tip.startsWith("<p>Fixed body turned"));
   EXPECT_FALSE(button("mended_fixed_close")->isVisible());
   unfold_pair("ball.off", "ball.off");
   EXPECT_FALSE(bar().isVisible());

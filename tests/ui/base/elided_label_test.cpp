@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "tests/ui/window_fixture.hpp"
+#include "ui/base/format.hpp"
 
 namespace sonde::ui::test {
 namespace {
@@ -19,7 +20,7 @@ TEST_F(WindowTest, a_line_without_room_ends_in_dots_and_is_whole_in_the_tooltip)
   EXPECT_TRUE(label.shown().endsWith(QChar(0x2026))) << label.shown().toStdString();
   EXPECT_TRUE(line.startsWith(label.shown().chopped(1)));
   EXPECT_EQ(label.text(), line);
-  EXPECT_EQ(label.toolTip(), line.toHtmlEscaped());
+  EXPECT_EQ(label.toolTip(), tooltip_of(line));
 }
 
 TEST_F(WindowTest, a_list_without_room_ends_after_a_whole_item) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QTextDocument>
+#include <QTextDocumentFragment>
 #include <numbers>
 
 #include "engine/body/body.hpp"
@@ -17,6 +19,15 @@ TEST(Format, an_angle_below_a_millionth_of_a_degree_is_none) {
   EXPECT_EQ(angle_text(2e-6 * degree), "2e-06°");
   EXPECT_EQ(angle_text(12.34 * degree), "12.3°");
   EXPECT_EQ(angle_text(-0.5 * degree), "-0.500°");
+}
+
+// Reference: Qt's own reading of it as markup.
+TEST(Format, a_tooltip_shows_what_a_text_says_to_the_letter) {
+  const QString plain = QStringLiteral("nut&bolt <b>2</b> &lt;\n3 < 4 & 5 > 4");
+  const QString tip = tooltip_of(plain);
+  EXPECT_TRUE(Qt::mightBeRichText(tip));
+  EXPECT_EQ(QTextDocumentFragment::fromHtml(tip).toPlainText(), plain);
+  EXPECT_TRUE(tooltip_of({}).isEmpty()) << "none at all";
 }
 
 TEST(Format, components_have_the_decimals_of_their_length) {

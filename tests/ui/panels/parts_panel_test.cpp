@@ -77,6 +77,7 @@ TEST_F(PartsPanelTest, each_part_is_a_row_with_its_name_its_ticks_and_its_triang
   EXPECT_EQ(row(2).checkState(felt_cell), Qt::Unchecked);
   EXPECT_EQ(row(1).text(triangles_cell), "340");
   EXPECT_EQ(row(2).text(triangles_cell), "") << "not known";
+  EXPECT_TRUE(row(2).toolTip(name_cell).contains("plate.off:2")) << "whole where it is cut off";
   SceneBody fewer = three_parts();
   fewer.parts.pop_back();
   panel->show_parts(fewer, {});

@@ -44,8 +44,8 @@ TEST_F(RepairsBarTest, each_body_has_a_line_as_long_as_there_is_something_to_say
   EXPECT_TRUE(find<ElidedLabel>("mended_probe")->isVisible());
   EXPECT_FALSE(find<ElidedLabel>("mended_fixed")->isVisible());
   const QString tip = find<ElidedLabel>("mended_probe")->toolTip();
-  EXPECT_TRUE(tip.startsWith("Probe gear&lt;2&gt;: ")) << "a name is no markup";
-  EXPECT_TRUE(tip.endsWith("9 triangles."));
+  EXPECT_TRUE(tip.startsWith("<p>Probe gear&lt;2&gt;: ")) << "a name is no markup";
+  EXPECT_TRUE(tip.endsWith("9 triangles.</p>"));
   bar->show_row(RepairsBar::probe, {});
   EXPECT_FALSE(find<ElidedLabel>("mended_probe")->isVisible());
 }

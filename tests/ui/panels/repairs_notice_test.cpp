@@ -7,6 +7,7 @@
 
 #include "tests/ui/window_fixture.hpp"
 #include "ui/base/elided_label.hpp"
+#include "ui/base/format.hpp"
 
 namespace sonde::ui::test {
 namespace {
@@ -34,8 +35,8 @@ TEST(RepairsNotice, says_in_brief_what_there_is_and_is_empty_else) {
   EXPECT_TRUE(fixed->isVisible());
   EXPECT_EQ(fixed->text(), "2 openings closed");
   EXPECT_EQ(fixed->accessibleName(), "Fixed body gear<2>: 2 openings closed");
-  EXPECT_TRUE(fixed->toolTip().startsWith("Fixed body gear&lt;2&gt;: ")) << "a name is no markup";
-  EXPECT_TRUE(fixed->toolTip().endsWith("9 triangles."));
+  const QString whole = "Fixed body gear<2>: 2 openings closed\n2 openings closed by 9 triangles.";
+  EXPECT_EQ(fixed->toolTip(), tooltip_of(whole)) << "a name is no markup";
   button->click();
   EXPECT_TRUE(unfold.isChecked());
   notice.show_row(RepairsBar::fixed, {});

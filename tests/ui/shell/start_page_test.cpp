@@ -17,6 +17,7 @@
 
 #include "tests/support/temp_folder.hpp"
 #include "tests/ui/window_fixture.hpp"
+#include "ui/base/format.hpp"
 #include "ui/base/resources.hpp"
 #include "ui/document/recent_files.hpp"
 
@@ -101,7 +102,7 @@ TEST_F(StartPageTest, a_name_stands_there_as_it_is) {
   page->present();
   ASSERT_EQ(recent().size(), 1);
   EXPECT_EQ(recent()[0]->text(), "nut&&bolt.sonde.json");
-  EXPECT_EQ(recent()[0]->toolTip(), "/scenes/nut&amp;bolt.sonde.json");
+  EXPECT_EQ(recent()[0]->toolTip(), tooltip_of("/scenes/nut&bolt.sonde.json"));
 }
 
 TEST_F(StartPageTest, a_complaint_is_plain_text_with_a_way_to_look_elsewhere) {

@@ -102,7 +102,7 @@ TEST_F(StatusLineTest, a_name_is_plain_text_cut_where_it_is_long_and_whole_in_th
   EXPECT_EQ(shown.text().size(), 70);
   EXPECT_TRUE(shown.text().startsWith("<img src=x>nnn"));
   EXPECT_TRUE(shown.text().endsWith("n…"));
-  EXPECT_TRUE(shown.toolTip().startsWith("&lt;img src=x&gt;nnn"));
+  EXPECT_TRUE(shown.toolTip().startsWith("<p>&lt;img src=x&gt;nnn"));
   EXPECT_TRUE(shown.toolTip().contains("end: "));
 }
 
