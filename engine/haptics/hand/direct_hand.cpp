@@ -37,13 +37,13 @@ Pose DirectHand::next(double dt) noexcept {
   // dt = 0: the first sample of a run (also after the probe was placed), or after a pause of the
   // loop.
   const bool paused = !(dt > 0);
-  since_ = paused ? 2 * longest_pause : since_ + dt;
+  since_ = paused ? longest_pause : since_ + dt;
   gone_ = paused ? duration_ : gone_ + pace(dt) * dt;
   if (targets_.update()) {
     from_ = now();
     to_ = targets_.front();
     // After a delay of the window, or of the loop, the probe catches up gradually.
-    const double interval = since_ <= longest_pause ? since_ : 0;
+    const double interval = paused ? 0 : std::min(since_, longest_pause);
     mouse_ = (1 - part()) * mouse_ + interval;
     duration_ = std::max(interval, mouse_ / catching_up);
     since_ = gone_ = 0;

@@ -11,14 +11,14 @@ namespace sonde {
 /// A dragged mouse delivers a target only every many ticks. The probe moves to a new target in the
 /// time that has passed since the target before it, so it moves a little in every tick, as with a
 /// device, and contacts between close-fitting parts are followed in short steps. It lags behind the
-/// newest target by at most the longest interval between two targets of one motion. The first
-/// target after a pause, of the mouse or of the loop, is taken at once.
+/// newest target by at most longest_pause, unless it waits. The first target after a pause of the
+/// loop is taken at once.
 ///
 /// Nobody holds a handle here, so the probe may wait: where the loop is behind it, it moves more
 /// slowly, and stands as long as the force would be withheld. It catches up afterwards.
 class DirectHand {
  public:
-  /// s: the longest time between two targets of one motion.
+  /// s: the longest time for the way to a target.
   static constexpr double longest_pause = 0.2;
   /// s: the longest time that the probe stands for the loop's sake, until the loop is no longer
   /// behind. Answers to some bodies never converge, and the probe must go on.
@@ -45,12 +45,12 @@ class DirectHand {
   double part() const noexcept;  ///< of the way to the newest target that is done
 
   Pose from_, to_;
-  double since_ = 2 * longest_pause;  ///< s since the newest target
-  double gone_ = 0;                   ///< s of the motion to it, without the time of waiting
-  double duration_ = 0;               ///< s: duration of that motion
-  double mouse_ = 0;                  ///< s: the time in which the mouse went the same way
-  double behind_ = 0;                 ///< see Hand::follow
-  double waited_ = 0;                 ///< s since the loop was last not behind
+  double since_ = longest_pause;  ///< s since the newest target
+  double gone_ = 0;               ///< s of the motion to it, without the time of waiting
+  double duration_ = 0;           ///< s: duration of that motion
+  double mouse_ = 0;              ///< s: the time in which the mouse went the same way
+  double behind_ = 0;             ///< see Hand::follow
+  double waited_ = 0;             ///< s since the loop was last not behind
   TripleBuffer<Pose> targets_;
 };
 
