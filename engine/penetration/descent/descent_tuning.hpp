@@ -91,8 +91,9 @@ struct DescentTuning {
   double least_extrapolation = 1.5;
   /// Steps of a run after which its steps are mixed (StepMixing): most runs end before. (Ticks that
   /// do not converge of a ball and an egg in grooves, peg-in-hole, terrain and crumpled-soup, which
-  /// chose it: 27 without; 39, 29 and 24 with 12, 16 and 24. Of 140 paths of 70 pairs of parts that
-  /// chose nothing: 90 ticks without, 23 with 16.)
+  /// chose it: 27 without, 20 with. Before steps in a series were left out, it was 39, 29 and 24
+  /// with 12, 16 and 24. Of 140 paths of 70 pairs of parts that chose nothing: 90 ticks without, 23
+  /// with.)
   int steps_before_mixing = 16;
   /// Maximum number of consecutive secant steps: if more are needed, the wanted step is not a
   /// linear function of the pose.
