@@ -52,7 +52,7 @@ SeeingControl::SeeingControl(Viewport& viewport, DocumentControl& documents, QMa
       crossings_(viewport, window) {
   connect(&crossings_, &CrossingFinder::say, this, &SeeingControl::say);
   window.addDockWidget(window.dockWidgetArea(&beside), panel_);
-  window.addDockWidget(Qt::BottomDockWidgetArea, contacts_);  // a wide table of few rows
+  window.addDockWidget(window.dockWidgetArea(&beside), contacts_);
   connect(panel_, &SeeingPanel::changed, this, &SeeingControl::set_seeing);
   connect(panel_, &SeeingPanel::snap_wanted, this, &SeeingControl::snap_cut);
   connect(panel_, &SeeingPanel::face_wanted, this, &SeeingControl::face_cut);

@@ -3,14 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <QHeaderView>
 #include <QLabel>
-#include <QScrollBar>
 #include <QTreeWidget>
 
 #include "tests/support/shapes.hpp"
 #include "tests/ui/window_fixture.hpp"
-#include "ui/base/resources.hpp"
 
 namespace sonde::ui::test {
 namespace {
@@ -103,20 +100,6 @@ TEST_F(ContactsPanelTest, what_the_view_chooses_marks_its_row_without_being_told
   EXPECT_TRUE(rows().selectedItems().isEmpty());
   EXPECT_EQ(panel->chosen(), 0u);
   EXPECT_TRUE(told.empty());
-}
-
-TEST_F(WindowTest, the_table_of_contacts_needs_no_scrolling_on_a_small_screen) {
-  open({QString::fromStdString(SONDE_RESOURCES "/scenes/spoon-in-cup.sonde.json")});
-  window->resize(1280, 800);
-  auto* dock = window->findChild<ContactsPanel*>();
-  ASSERT_TRUE(dock);
-  dock->show();
-  dock->show_contacts(two_contacts(), four_newton);
-  auto* rows = dock->findChild<QTreeWidget*>("contact_rows");
-  EXPECT_TRUE(wait_until([&] { return rows->isVisible() && rows->viewport()->width() > 100; }));
-  wait(100);
-  EXPECT_EQ(rows->horizontalScrollBar()->maximum(), 0)
-      << rows->header()->length() << " of " << rows->viewport()->width();
 }
 
 }  // namespace
