@@ -69,6 +69,8 @@ TEST_F(SeeingTest, a_contact_is_chosen_in_the_list_and_in_the_view) {
   for (int i = 0; i < rows->topLevelItemCount(); ++i)
     shares += rows->topLevelItem(i)->text(3).section(' ', 0, 0).toDouble();
   EXPECT_NEAR(shares, 100, 3);
+  // The dock slides in: the view has its size once it keeps it.
+  for (QSize size; picture().size() != size; wait(300)) size = picture().size();
   const QImage before = picture();
   rows->topLevelItem(0)->setSelected(true);
   EXPECT_GT(pixels_between(before, picture()), 30) << "marked in the view";

@@ -30,7 +30,10 @@ std::vector<int> rows_with(const QImage& image, int from, int to, const Wanted& 
 
 class ColourScaleTest : public testing::Test {
  protected:
-  void SetUp() override { need_application(); }
+  void SetUp() override {
+    need_application();
+    font = QApplication::font();  // of the application: before that there is none
+  }
   /// In a box of its own size, 10 px from the picture's edges, in white on black.
   QImage drawn(const ColourScale& scale) const {
     const QSizeF size = scale_size(scale, QFontMetricsF(font));
@@ -42,7 +45,7 @@ class ColourScaleTest : public testing::Test {
     draw_scale(painter, QRectF(QPointF(10, 10), size), scale);
     return image;
   }
-  QFont font = QApplication::font();
+  QFont font;
 };
 
 TEST_F(ColourScaleTest, the_colours_run_evenly_from_the_first_below_to_the_last_above) {
