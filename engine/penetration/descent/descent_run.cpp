@@ -214,11 +214,13 @@ class Descent::Run {
   Vec6 step_of(const Vec6& wanted) noexcept {
     mixing_.note(y_, nearest_.y - y_);
     const Vec6 damped = pace_.damped(wanted);
-    const Vec6 step = with_those_to_come(damped);
+    Vec6 step = with_those_to_come(damped);
     if (pace_.extrapolates || pace_.in_series || damped != wanted) return step;
-    const std::optional<Vec6> mixed = mixed_step();
-    if (mixed) mixing_.take();
-    return mixed.value_or(step);
+    if (const std::optional<Vec6> mixed = mixed_step()) {
+      mixing_.take();
+      step = *mixed;
+    }
+    return step;
   }
 
   /// Of a run that takes many steps: a mixed step, within all limits of a step, if it is longer
@@ -231,9 +233,10 @@ class Descent::Run {
         std::min({1.0, pace_.to_ceiling(y_, *mixed), pace_.longest / mixed->norm(),
                   descent_.most_of_path(chart_, y_, *mixed, margin_, pace_),
                   descent_tuning.largest_turn / std::max(chart_.v(*mixed).norm(), 1e-30)});
-    const Vec6 step = most * *mixed;
+    Vec6 step = most * *mixed;
     const bool pays = step.norm() > descent_tuning.least_extrapolation * (nearest_.y - y_).norm();
-    return pays && is_clear_until(y_ + step) ? std::optional(step) : std::nullopt;
+    if (!pays || !is_clear_until(y_ + step)) return std::nullopt;
+    return step;
   }
 
   /// The step and those that are to follow it in its direction, if nothing is in their way that the
