@@ -135,8 +135,8 @@ struct Separation {
   /// swept free led to a different one: the depth fell by more than the device moved, or on a part
   /// of the path more steeply than the device's motion explains (with translation only: by more
   /// than any point of the device moved). If the fall takes several ticks, true in each of them.
-  /// With turns also wherever a probe that is behind, because a tick has not converged, lets go
-  /// more of σ than the gap at its contacts amounts to: what it did not follow is lost.
+  /// With turns also wherever a probe that is behind, because a tick has not converged, has let go
+  /// more of σ than a quarter of what the gap at its contacts amounts to.
   bool jumped = false;
   /// m², coherent only: in a tick that jumped, the part of σ that is no longer stored in the
   /// coupling and was not returned to the hand either. The energy lost is ½ k times that. 0 in any

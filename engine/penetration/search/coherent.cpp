@@ -63,8 +63,9 @@ struct CoherentSolver::State {
   PhaseTimes times;  ///< of this tick, if timing is on
   bool timed = false;
   Separation last;
-  Pose device;     ///< the last device pose that was not refused
-  Pose separated;  ///< the last separated pose: free
+  Pose device;       ///< the last device pose that was not refused
+  Pose separated;    ///< the last separated pose: free
+  double depth = 0;  ///< m: of that pose, whatever was refused since
   /// Where the first tick in which the device moves begins, if `separated` touches within rounding.
   std::optional<Pose> lifted;
   bool started = false;
@@ -152,6 +153,7 @@ struct CoherentSolver::State {
     last = separated_at(to);
     last.iterations = follows_in_step;
     device = separated = to;
+    depth = 0;
     return true;
   }
 
@@ -243,6 +245,7 @@ const Separation& CoherentSolver::reset(const Pose& X_FM, const StaticOptions& o
   s.falls.forget();
   s.device = s.last.device;
   s.separated = s.last.separated;
+  s.depth = s.last.status == Status::failed ? 0 : s.last.depth;
   s.descent.forget();
   s.lifted = s.started ? lifted_off(s.probe, s.fixed, s.separated, s.method) : std::nullopt;
   s.free_region.forget();
@@ -297,7 +300,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
     found.move_to(from);
     found.limited = 1;
   }
-  const double before = s.last.status == Status::failed ? 0 : s.last.depth;
+  const double before = s.depth;
   s.last = make_separation(chart, found);
   // A probe that could not move keeps its pose to the bit. A conversion to coordinates and back
   // would change it by rounding, the more the nearer the turn is to a half turn, and no sweep has
@@ -324,6 +327,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   s.last.phases = s.times;
   s.device = device;
   s.separated = s.last.separated;
+  s.depth = s.last.depth;
   s.ids.follow(s.separated, s.probe.mass.radius, s.last.clusters);
   return s.last;
 }
