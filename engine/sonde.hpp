@@ -238,7 +238,7 @@ Wrench wrench(const Pair& pair, const Separation& now, const Coupling& coupling)
 
 /// The same with the damping of the classic and of the damped mode, from the separation `before`,
 /// `dt` seconds ago. (That of the damped mode is of separations that may turn.) There is no damping
-/// where `before` failed, `now` jumped, or dt is not positive and finite.
+/// where `before` failed, `now` fell (Separation::fell), or dt is not positive and finite.
 /// @pre As above, for both separations.
 Wrench wrench(const Pair& pair, const Separation& now, const Separation& before, double dt,
               const Coupling& coupling) noexcept;

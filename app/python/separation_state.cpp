@@ -73,7 +73,7 @@ void each_number(auto& use, auto& s) {
     use(cluster.pitch), use(cluster.rows), use(cluster.id);
   });
   use(s.residual), use(s.iterations), use(s.converged), use(s.limited), use(s.jumped);
-  use(s.released), use(s.far_out), use(s.lower_bound), use(s.pdt);
+  use(s.lagged), use(s.released), use(s.far_out), use(s.lower_bound), use(s.pdt);
   each_of_clearance(use, s.clearance);
 }
 

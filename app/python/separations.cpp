@@ -89,6 +89,8 @@ void declare_separation(py::module_& module) {
   declare(found, "iterations", &Separation::iterations, "Steps of the local optimiser.");
   declare(found, "converged", &Separation::converged, "False where the budget ran out first.");
   declare(found, "jumped", &Separation::jumped, "The force is not continuous here.");
+  declare(found, "lagged", &Separation::lagged,
+          "It jumped for no other reason than that it was behind and caught up.");
   declare_of_contacts(
       found, "contact_point", 3, [](const Contact& c, Eigen::Index j) { return c.on_fixed[j]; },
       "Points of the contacts, on the fixed body, in its mesh frame, (k, 3), m.");

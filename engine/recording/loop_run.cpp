@@ -42,7 +42,7 @@ class Runner {
     tick_.tick = step.begins ? 1 : tick_.tick + 1;
     tick_.time = step.at.t;
     tick_.separation = loop_.separation();
-    tick_.separation.jumped |= by_search;
+    if (by_search) tick_.separation.jumped = true, tick_.separation.lagged = false;
     tick_.wrench = tick_.hand.asked = loop_.wrench();
     tick_.hand.rows.separated = tick_.separation.separated;
     tick_.coupling = step.coupling;

@@ -34,7 +34,7 @@ Wrench Coupler::wrench(const Separation& separation, double dt) noexcept {
 
 Wrench Coupler::unlimited(const Coupling& coupling, const Separation& separation,
                           const SeparationMotion& now, double dt) const noexcept {
-  const bool has_rates = has_motion_ && !separation.jumped && dt > 0 && std::isfinite(dt);
+  const bool has_rates = has_motion_ && !separation.fell() && dt > 0 && std::isfinite(dt);
   if (coupling.mode == Coupling::Mode::classic) return classic(coupling, now, has_rates ? dt : 0);
   Wrench out = object_norm_wrench(mass_, separation.device, separation.separated, coupling.k);
   if (coupling.mode == Coupling::Mode::object || !has_rates || coupling.b_t == 0) return out;

@@ -61,7 +61,8 @@ const LocalContacts& ContactFeed::refresh(const Pose& X_FM, std::uint64_t tick, 
   contacts_.separation = solver_.tick(X_FM, budget);
   contacts_.tick = tick;
   contacts_.time = time;
-  if (contacts_.separation.jumped) ++contacts_.jumps;
+  contacts_.jumps += contacts_.separation.jumped;
+  contacts_.falls += contacts_.separation.fell();
   contacts_.released += contacts_.separation.released;
   gather(of_rows);
   contacts_.separation.phases += times_;

@@ -60,7 +60,7 @@ void HandLoop::restart(const Pose& X_FM) noexcept {
   ids_.forget();
   device_.reset();
   X_FM_ = X_FM;
-  jumps_ = 0;
+  jumps_ = falls_ = 0;
   released_ = 0;
   resting_ = false;
   resumed_ = 0;
@@ -270,8 +270,10 @@ void HandLoop::separate(const LocalContacts& contacts, const Clock& clock) noexc
   out_.separation = answer.separation;
   lag_ = answer.lag;
   out_.separation.jumped = contacts.jumps != jumps_;
+  out_.separation.lagged = out_.separation.jumped && contacts.falls == falls_;
   out_.separation.released = contacts.released - released_;
   jumps_ = contacts.jumps;
+  falls_ = contacts.falls;
   released_ = contacts.released;
   ids_.follow(out_.separation.separated, mass_.radius, out_.separation.clusters);
   const std::uint64_t age = clock.tick - contacts.tick;

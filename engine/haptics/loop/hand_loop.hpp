@@ -175,6 +175,7 @@ class HandLoop {
   std::optional<DeviceTraits> device_;  ///< of the last tick
   Pose X_FM_;
   std::uint64_t jumps_ = 0;            ///< of the previous rows
+  std::uint64_t falls_ = 0;            ///< of the previous rows
   double released_ = 0;                // m²: of the previous rows
   bool resting_ = false;               ///< the last tick was rest()
   Withheld rest_ = Withheld::nothing;  ///< reason of the last rest

@@ -31,7 +31,8 @@ struct LocalContacts {
   Separation separation;    ///< for the device pose of that tick; failed: there are no rows
   std::uint64_t tick = 0;   ///< the tick of the servo that sampled the pose
   double time = 0;          ///< s, time of that tick on the servo's clock
-  std::uint64_t jumps = 0;  ///< number of jumps of the separated pose so far
+  std::uint64_t jumps = 0;  ///< number of ticks that jumped so far
+  std::uint64_t falls = 0;  ///< those of them that fell (Separation::fell)
   double released = 0;      ///< m²: sum of Separation::released so far
   double refresh_us = 0;    ///< time that the geometry took
 };

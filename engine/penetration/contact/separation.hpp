@@ -138,10 +138,17 @@ struct Separation {
   /// With turns also wherever a probe that is behind, because a tick has not converged, has let go
   /// more of σ than a quarter of what the gap at its contacts amounts to.
   bool jumped = false;
+  /// Coherent only: the tick `jumped` for no other reason than that the probe was behind and let
+  /// energy go as it caught up. Its pose went on where it was going, so it has a rate.
+  bool lagged = false;
   /// m², coherent only: in a tick that jumped, the part of σ that is no longer stored in the
-  /// coupling and was not returned to the hand either. The energy lost is ½ k times that. 0 in any
+  /// coupling and was not returned to the hand either, with that of the ticks before it in which a
+  /// probe that was behind let go too little to say so. The energy lost is ½ k times that. 0 in any
   /// other tick.
   double released = 0;
+  /// Coherent only: whether the separated pose is at another optimum than the last one, so that no
+  /// rate leads from one to the other.
+  bool fell() const noexcept { return jumped && !lagged; }
   /// Static only: the separating motion is long compared with the overlap: the depth is over 2.5
   /// times the depth of a sketch's deepest point (SearchTuning::narrow). A shorter separating
   /// motion may exist through a gap so narrow that few starts come near it, so the error stated for

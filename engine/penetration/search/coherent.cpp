@@ -308,7 +308,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   if (s.last.status == Status::penetrating && found.y == from) s.last.separated = s.separated;
   s.keep_spin(chart);
   s.last.converged = s.last.converged && followed;
-  const std::optional<double> released =
+  const std::optional<Falls::Release> released =
       s.falls.released({.moved = moved,
                         .way = (from - found.y).norm(),
                         .before = before,
@@ -318,7 +318,8 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
                         .fallen = found.fallen,
                         .converged = s.last.converged});
   s.last.jumped = released.has_value();
-  s.last.released = released.value_or(0);
+  s.last.lagged = released && released->lagged;
+  s.last.released = released ? released->energy : 0;
   // With zero inertia about an axis, the probe may not be at the device pose.
   if (s.last.status == Status::separated && s.probe.mass.inertia.minCoeff() > 0) {
     const PhaseTimer timer(s.timed ? &s.times : nullptr, Phase::look);

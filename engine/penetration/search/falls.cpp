@@ -2,6 +2,7 @@
 #include "engine/penetration/search/falls.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace sonde {
 namespace {
@@ -45,12 +46,12 @@ bool Falls::let_go_behind(const Tick& tick) noexcept {
   return unsaid_ > said_of_lag * 2 * gap_ * tick.clearance * tick.before;
 }
 
-std::optional<double> Falls::released(const Tick& tick) noexcept {
-  const bool jumped = fell(tick) || let_go_behind(tick);
-  if (jumped) unsaid_ = 0;
+std::optional<Falls::Release> Falls::released(const Tick& tick) noexcept {
+  const bool lagged = let_go_behind(tick), left_optimum = fell(tick);
   lag_ = tick.converged ? 0 : lag_ + tick.moved;
   if (tick.converged) gap_ = gap_of_held;
-  return jumped ? std::optional(tick.let_go) : std::nullopt;
+  if (!lagged && !left_optimum) return std::nullopt;
+  return Release{std::max(tick.let_go, std::exchange(unsaid_, 0.0)), !left_optimum};
 }
 
 }  // namespace sonde

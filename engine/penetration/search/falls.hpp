@@ -31,8 +31,12 @@ class Falls {
     double fallen = 0;     ///< m²: Descent::Outcome::fallen beyond held_slope()
     bool converged = false;
   };
-  /// m²: what a tick that jumped let go (Separation::jumped, released); none if it did not jump.
-  std::optional<double> released(const Tick& tick) noexcept;
+  struct Release {
+    double energy = 0;    ///< m²: Separation::released
+    bool lagged = false;  ///< Separation::lagged
+  };
+  /// What a tick that jumped let go (Separation::jumped); none if it did not jump.
+  std::optional<Release> released(const Tick& tick) noexcept;
 
  private:
   bool fell(const Tick& tick) const noexcept;

@@ -22,7 +22,7 @@ RenderedTick tick_of(const HapticLoop& loop, double t, double moved) {
   out.t = t;
   out.moved = moved;
   out.failed = s.status == Status::failed;
-  out.jumped = s.jumped;
+  out.jumped = s.fell();
   out.separated = s.separated;
   if (out.failed) return out;
   out.force = loop.wrench().force;
@@ -101,7 +101,7 @@ Rendering render(const RenderSetup& setup, Method method, std::span<const TimedP
   for (std::size_t i = 0; i < path.size(); ++i) {
     if (stop && stop()) throw Cancelled();
     if (!started) loop.reset(path[i].pose, setup.search);
-    const bool by_search = !started && loop.separation().jumped;
+    const bool by_search = !started && loop.separation().fell();
     const double moved =
         i == 0 ? 0
                : Chart(setup.pair.probe().mass, path[i - 1].pose).coordinates(path[i].pose).norm();

@@ -20,7 +20,7 @@ struct RenderedTick {
   Vec3 torque = Vec3::Zero();  ///< about the centre of mass, N·m
   double depth = 0;            ///< m
   int contacts = 0;            ///< clusters
-  bool jumped = false;         ///< as the engine reports it
+  bool jumped = false;         ///< Separation::fell, as the engine reports it
   bool failed = false;         ///< no answer: there is no force
   bool converged = true;       ///< false: the way was blocked, or the budget ran out
   Pose separated;              ///< Q, X_FM

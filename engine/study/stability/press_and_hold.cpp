@@ -110,7 +110,7 @@ class Observer {
     now.force = hooke.force;
     now.depth = s.status == Status::penetrating ? s.depth : 0;
     now.failed = s.status == Status::failed;
-    if (s.jumped) ++out_.jumps;
+    if (s.fell()) ++out_.jumps;
     if (popped_through(last_, now, mass.radius)) ++out_.pop_throughs;
     last_ = now;
     device_ = s.device;

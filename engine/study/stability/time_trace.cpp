@@ -74,7 +74,7 @@ TimeTrace trace(ClosedLoop& loop, HandCourse course, const CoursePlace& place) {
     out.figures.energy += setup.sample_time / 2 *
                           (motors.force.dot(before.velocity + now.velocity) +
                            motors.torque.dot(before.spin + now.spin));
-    out.figures.jumps += s.jumped;
+    out.figures.jumps += s.fell();
     out.figures.failures += s.status == Status::failed;
     felt.push_back(felt_tick(now, motors, place.X_FM));
     out.samples.push_back({t, motors, s.status == Status::penetrating ? s.depth : 0});

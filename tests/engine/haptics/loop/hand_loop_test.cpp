@@ -316,11 +316,27 @@ TEST(HandLoop, a_jump_of_the_geometry_is_reported_and_not_damped) {
   bench.settle(0.002, 10);
   EXPECT_FALSE(bench.loop.last().separation.jumped);
   LocalContacts jumped = bench.feed.contacts();
-  ++jumped.jumps;
+  ++jumped.jumps, ++jumped.falls;
   const HandLoop::Clock clock{.tick = 20, .now = 0.02, .dt = dt};
   const HandTick& t = bench.loop.tick({.X_FM = at_depth(0.003)}, jumped, clock, Withheld::nothing);
   EXPECT_TRUE(t.separation.jumped);
+  EXPECT_FALSE(t.separation.lagged);
   EXPECT_NEAR(t.wrench.force.z(), 500 * 0.003, 1e-3);
+}
+
+// Its spring and its damper against a wall: k d + b v.
+TEST(HandLoop, a_probe_that_only_catches_up_is_reported_and_damped) {
+  Coupling coupling;
+  coupling.mode = Coupling::Mode::classic;
+  coupling.b_t = 1;
+  Bench bench(at_once(), coupling);
+  bench.settle(0.002, 10);
+  LocalContacts lagged = bench.feed.contacts();
+  ++lagged.jumps;
+  const HandLoop::Clock clock{.tick = 20, .now = 0.02, .dt = dt};
+  const HandTick& t = bench.loop.tick({.X_FM = at_depth(0.003)}, lagged, clock, Withheld::nothing);
+  EXPECT_TRUE(t.separation.jumped && t.separation.lagged);
+  EXPECT_NEAR(t.wrench.force.z(), 500 * 0.003 + 0.001 / dt, 1e-3);
 }
 
 TEST(HandLoop, the_work_on_the_hand_is_that_of_the_wrench_along_its_motion) {

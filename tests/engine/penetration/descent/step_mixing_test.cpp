@@ -77,6 +77,39 @@ TEST(StepMixing, after_a_mixed_step_that_led_to_longer_ones_it_waits_longer_each
   }
 }
 
+// By poses at which the wanted step is another function: of those before it would be a wrong one.
+TEST(StepMixing, after_such_a_step_nothing_of_the_poses_before_it_is_used) {
+  const auto anew = [](const Vec6& y) { return Vec6(0.5 * (fixed_point() - y)); };
+  StepMixing mixing;
+  for (const Vec6& y : {off_by(0.3, 0.2), off_by(0.25, 0.3), off_by(0.1, -0.1)})
+    mixing.note(y, wanted(y));
+  mixing.take();
+  mixing.note(off_by(9, 9), anew(off_by(9, 9)));
+  Vec6 y = off_by(8, 9);
+  for (int pose = 0; pose < 4; ++pose, y = off_by(7 - pose, 5 + 2 * (pose % 2))) {
+    mixing.note(y, anew(y));
+    if (const std::optional<Vec6> step = mixing.mixed()) {
+      EXPECT_GE(pose, 1);
+      EXPECT_NEAR((y + *step - fixed_point()).norm(), 0, 1e-6);
+    }
+  }
+  EXPECT_TRUE(mixing.mixed());
+}
+
+TEST(StepMixing, a_map_that_overflows_gives_none) {
+  StepMixing mixing;
+  for (const double size : {1e-200, 2e-200, 4e-200}) {  // squares of these are 0
+    const Vec6 y = size * Vec6::Ones();
+    mixing.note(y, y);
+  }
+  EXPECT_FALSE(mixing.mixed());
+  for (const double size : {1e200, 3e200, 2e200}) {  // and of these, infinite
+    const Vec6 y = size * fixed_point();
+    mixing.note(y, -0.5 * y.cwiseAbs());
+  }
+  EXPECT_FALSE(mixing.mixed());
+}
+
 TEST(StepMixing, after_one_that_led_to_shorter_steps_it_goes_on) {
   StepMixing mixing;
   for (const Vec6& y : {off_by(0.3, 0.2), off_by(0.25, 0.3), off_by(0.1, -0.1)})
