@@ -127,7 +127,7 @@ struct Separation {
   /// Number of limits that acted in a tick, or in all descents of a search: the maximum number of
   /// rows (a step was cut short), of checks of a path, or of steps without progress, or the rim of
   /// the chart; where a descent has not converged, also sweeps that took too much work, whose paths
-  /// were cut into shorter ones. One more is counted if a search made its maximum number of starts
+  /// were cut into shorter ones; in a tick without a budget of steps, their maximum number (60). One more is counted if a search made its maximum number of starts
   /// without evidence that it has found the optimum. The result is verified in any case.
   int limited = 0;
   /// Coherent only: the force is discontinuous here. After a reset, Q was found by a search, not

@@ -294,7 +294,8 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
     const double fall = from.norm() - found.y.norm();
     const bool fell = fall > allowed_clearance(s.probe.mass.radius, from.norm());
     if (stopped) s.learn_limit(effort.is_spent() && s.rests(moved) && !fell);
-    found.limited += stopped;
+    const bool out_of_steps = budget.steps == 0 && found.iterations >= goal.steps;
+    found.limited += stopped || (out_of_steps && !found.converged);
     s.descent.prepare_next_list(farthest_move(s.probe.mass, s.device, device), effort);
   } else {
     found.move_to(from);

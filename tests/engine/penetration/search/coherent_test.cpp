@@ -60,7 +60,7 @@ double regained(double radius, double depth) {
 }
 
 struct Rules {
-  int contacts = 0, converged = 0, ticks = 0;
+  int contacts = 0, converged = 0, out_of_steps = 0, ticks = 0;
 };
 
 /// The rules of every tick, whatever the budget. Reference for σ: second moments by integration;
@@ -98,6 +98,10 @@ void follow(const test::BodyPair& pair, const std::vector<Pose>& path, const Bud
     if (now.status == Status::penetrating) {
       ++rules.contacts;
       rules.converged += now.converged;
+      rules.out_of_steps += !now.converged && now.iterations == DescentGoal{}.steps;
+      if (budget.steps == 0 && budget.work == 0 && !now.converged) {
+        EXPECT_GT(now.limited, 0) << what << ", " << now.iterations << " steps";
+      }
       if (now.converged) {
         EXPECT_LE(now.residual * now.depth,
                   std::max(1e-4 * now.depth, 0.1 * test::promised_clearance(radius, now.depth)) *
@@ -123,10 +127,12 @@ TEST(Coherent, rules_of_every_tick) {
       follow(pair, walk(random, pair, stride < 0.01 ? 600 : 120, stride), {}, 12, rules);
       EXPECT_GT(rules.contacts, rules.ticks / 10) << pair.name << stride;
       all.contacts += rules.contacts, all.converged += rules.converged;
+      all.out_of_steps += rules.out_of_steps;
     }
   // Deep among loose triangles the descent may crawl until its steps run out, and says so.
   std::printf("  %d of %d ticks in contact converged\n", all.converged, all.contacts);
   EXPECT_GE(all.converged, all.contacts * 9 / 10);
+  EXPECT_GT(all.out_of_steps, 0);
 }
 
 TEST(Coherent, rules_hold_when_the_budget_runs_out) {
