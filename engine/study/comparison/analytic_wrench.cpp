@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "engine/base/error.hpp"
 #include "engine/base/ordering.hpp"
@@ -20,16 +21,21 @@ constexpr std::array<const char*, 3> kind_names = {"none", "ball", "half-space"}
 constexpr int starts = 12;
 
 /// Vertices on a sphere are not sufficient: those of a box are too. The faces must be near it as
-/// well.
-bool is_ball(const Body& body) {
-  if (!body.solid) return false;
+/// well. No value if it is no ball, else AnalyticWrenches::facets.
+std::optional<double> facets_of_ball(const Body& body) {
+  if (!body.solid) return std::nullopt;
+  const double radius = body.mass.radius;
+  double facets = 0;
   for (const Triangle& t : body.soup.triangles) {
     const Vec3 a = body.soup.vertices[t[0]] - body.mass.com;
     const Vec3 b = body.soup.vertices[t[1]] - body.mass.com;
     const Vec3 c = body.soup.vertices[t[2]] - body.mass.com;
-    if ((b - a).cross(c - a).normalized().dot(a) < 0.97 * body.mass.radius) return false;
+    const Vec3 normal = (b - a).cross(c - a).normalized();
+    if (normal.dot(a) < 0.97 * radius) return std::nullopt;
+    for (const Vec3& corner : {a, b, c})
+      facets = std::max(facets, corner.cross(normal).norm() / radius);
   }
-  return true;
+  return facets;
 }
 
 Wrench wrench_of(const RenderSetup& setup, const Pose& device, const Pose& separated) {
@@ -67,10 +73,12 @@ AnalyticWrenches analytic_wrenches(const RenderSetup& setup, std::span<const Tim
   std::vector<std::size_t> known;
   for (std::size_t i = 0; i < path.size(); ++i)
     if (half_space_below(setup.pair.probe(), path[i].pose, faces)) known.push_back(i);
-  if (known.empty())
-    return {is_ball(setup.pair.probe()) ? AnalyticKind::ball : AnalyticKind::none, {}};
+  if (known.empty()) {
+    const auto facets = facets_of_ball(setup.pair.probe());
+    return {facets ? AnalyticKind::ball : AnalyticKind::none, {}, facets.value_or(0)};
+  }
 
-  AnalyticWrenches out{AnalyticKind::half_space, {}};
+  AnalyticWrenches out{.kind = AnalyticKind::half_space, .ticks = {}};
   for (const std::size_t i : thinned(known, most_ticks)) {
     if (stop && stop()) throw Cancelled();
     const Pose& device = path[i].pose;
@@ -88,9 +96,10 @@ std::string to_json(const AnalyticWrenches& wrenches) {
   for (const AnalyticTick& k : wrenches.ticks)
     ticks.push_back(
         {k.tick, k.force.x(), k.force.y(), k.force.z(), k.torque.x(), k.torque.y(), k.torque.z()});
-  const Json json{{"kind", kind_names[static_cast<std::size_t>(wrenches.kind)]},
-                  {"columns", {"tick", "fx", "fy", "fz", "tx", "ty", "tz"}},
-                  {"ticks", ticks}};
+  Json json{{"kind", kind_names[static_cast<std::size_t>(wrenches.kind)]},
+            {"columns", {"tick", "fx", "fy", "fz", "tx", "ty", "tz"}},
+            {"ticks", ticks}};
+  if (wrenches.kind == AnalyticKind::ball) json["facets"] = wrenches.facets;
   return json.dump(1) + "\n";
 }
 
@@ -101,6 +110,7 @@ AnalyticWrenches analytic_wrenches_of(const std::string& json, const std::string
     const auto kind = std::ranges::find(kind_names, whole.at("kind").get<std::string>());
     if (kind == kind_names.end()) throw InputError::in(source, "has an unknown kind");
     out.kind = static_cast<AnalyticKind>(kind - kind_names.begin());
+    out.facets = whole.value("facets", 0.0);
     for (const Json& tick : whole.at("ticks")) {
       const auto x = tick.get<std::array<double, 7>>();
       out.ticks.push_back({tick.at(0).get<std::size_t>(), {x[1], x[2], x[3]}, {x[4], x[5], x[6]}});
@@ -135,7 +145,7 @@ TorqueRealism torque_realism(const Rendering& rendering, const AnalyticWrenches&
           {want.tick, (is.torque * (size / own) - want.torque).norm() / (radius * size)});
   }
   return {analytic.kind,  torque.size(),   median(force), largest(force),
-          median(torque), largest(torque), equal};
+          median(torque), largest(torque), equal,         analytic.facets};
 }
 
 }  // namespace sonde

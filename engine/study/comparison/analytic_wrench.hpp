@@ -27,6 +27,9 @@ struct AnalyticTick {
 struct AnalyticWrenches {
   AnalyticKind kind = AnalyticKind::none;
   std::vector<AnalyticTick> ticks;  ///< half-space only: some ticks of the path, evenly chosen
+  /// Ball only: the largest torque of its facets, of force times radius. A contact of a facet may
+  /// lie so far from where it would be on a sphere.
+  double facets = 0;
 };
 
 /// At no more than `most_ticks` ticks of the path, where the wrench is known.
@@ -52,6 +55,7 @@ struct TorqueRealism {
     double error = 0;
   };
   std::vector<AtTick> at_equal_force = {};
+  double facets = 0;  ///< of a ball: how far its own facets may put the torque off
 };
 TorqueRealism torque_realism(const Rendering& rendering, const AnalyticWrenches& analytic,
                              double radius);

@@ -143,7 +143,8 @@ std::vector<TestedClaim> tested_claims(const Comparison& c) {
               {c.of_pdt.discontinuities.pop_throughs, c.of_pdg.discontinuities.pop_throughs}),
       by_ticks(c.of_pdt.realism.at_equal_force, c.of_pdg.realism.at_equal_force, "better_torque",
                "its torque is nearer to the analytic one, at equal forces",
-               &TorqueRealism::AtTick::error, false, 2 * clearance_of_depth),
+               &TorqueRealism::AtTick::error, false,
+               std::max(2 * clearance_of_depth, c.of_pdg.realism.facets)),
       by_ticks(c.of_pdt.stiffness.limits, c.of_pdg.stiffness.limits, "more_stable",
                "it is more stable, at equal forces", &StableStiffness::ForceAtLimit::force, true)};
 }

@@ -36,7 +36,8 @@ constexpr double significant = 0.05;
 /// - Fewer steps, fewer pop-throughs: each is a trial. What counts as a step depends on the motion
 /// of the device, not on the size of the force.
 /// - A torque nearer to the known one (TorqueRealism): tick by tick, at equal forces. Errors that
-/// differ by less than twice that clearance, as a share of the depth, are alike.
+/// differ by less than twice that clearance, as a share of the depth, are alike; those of a ball
+/// also where its facets may make the difference.
 /// - More stable: for each contact, the force at the same device pose with the stiffest coupling
 /// that is stable in that contact on the device. The method that renders more force before it
 /// oscillates is the more stable one at equal forces. Without a device there is no data.
