@@ -18,8 +18,10 @@ constexpr double fine_step = 1.15;
 // A first look knows its limits to a ratio of 1.3; its own result is a rung.
 constexpr double above_first_look = fine_step * fine_step;
 constexpr double coarse_step = 1.3;
-// Share of the first look: parts still to come may lower it this far.
+// Shares of the first look: parts still to come lower it mostly no further than to the one, and
+// seldom further than to the other.
 constexpr double looked_below = 0.9;
+constexpr double seldom_below = 0.5;
 constexpr double lowest = 1.0 / 8;
 constexpr double rounding = 1 + 1e-9;
 
@@ -187,8 +189,9 @@ RestLadder climb_down(const TuningPlan& plan, const Stop& stop) {
   RestLadder out{plan.axis, damping_of(plan, plan.damping_share), {}};
   for (double k = above_first_look * first; k > lowest * first;) {
     if (k <= plan.unmeasured * rounding) out.rungs.push_back(climb.at(k));
-    if (k < looked_below * first && out.held(k)) break;
-    k = k > looked_below * first ? k / fine_step : k / coarse_step;
+    const bool enough = k < looked_below * first && out.held(k);
+    if (enough && k <= seldom_below * first) break;
+    k = enough ? seldom_below * first : k > looked_below * first ? k / fine_step : k / coarse_step;
   }
   return out;
 }

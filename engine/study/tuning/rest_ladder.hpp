@@ -49,9 +49,10 @@ constexpr HandGrip limp_hand{"limp", 50, 0.2};
 TuningSetup ladder_setup(const TuningPlan& plan, std::size_t situation, const HandGrip& hand);
 
 /// Climbs down until everything comes to rest, and a little further; at most to 1/8 of the first
-/// look. If that allows nothing, to 1/8 of what theory, the driver and the encoder allow, wherever
-/// everything comes to rest, and at each of TuningPlan::dampings: the ladder is then that of the
-/// one at which the stiffest came to rest. Throws Cancelled.
+/// look. Last, half of the first look is tried, since parts still to come may allow so much less.
+/// If the first look allows nothing, to 1/8 of what theory, the driver and the encoder allow,
+/// wherever everything comes to rest, and at each of TuningPlan::dampings: the ladder is then that
+/// of the one at which the stiffest came to rest. Throws Cancelled.
 RestLadder climb_down(const TuningPlan& plan, const Stop& stop);
 
 std::string to_json(const RestLadder& ladder);

@@ -180,6 +180,25 @@ TEST(RestLadder, what_a_first_look_did_not_find_is_recommended_only_once_tried) 
 }
 
 // Reference: the same climb at each damping by itself.
+// Reference: the loop on the rung recommended, for 20 s. The parts allow 0.6 of this first look.
+TEST(RestLadder, what_a_first_look_found_too_stiff_is_recommended_softer) {
+  TuningRequest request = test::pressed_boxes();
+  request.device.mass.assumed = false;
+  const auto plan = std::make_shared<TuningPlan>(*study_plan(request, 1, never));
+  ASSERT_GT(plan->held_stiffness, 0);
+  TuningResults results = read_tuning("", compute_at_once(plan_tuning(plan), 2, never));
+  const double allowed = recommend(results, GainAxis::object)->limits.front().stiffness;
+  ASSERT_GT(allowed, 0);
+  plan->held_stiffness = allowed / 0.6;
+  plan->unmeasured = 2 * plan->held_stiffness;
+  results.ladder = climb_down(*plan, never);
+  const auto gains = recommend(results, GainAxis::object);
+  ASSERT_TRUE(gains && gains->tried);
+  EXPECT_NEAR(gains->stiffness / allowed, 0.5 / 0.6, 1e-3) << "half of the first look";
+  EXPECT_LE(gains->stiffness, 1.001 * allowed);
+  expect_rest(request, *gains, 10);
+}
+
 TEST(RestLadder, where_no_first_look_found_any_every_damping_is_tried) {
   TuningRequest request = test::pressed_boxes();
   request.coupling.mode = Coupling::Mode::damped;
