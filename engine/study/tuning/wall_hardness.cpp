@@ -11,13 +11,22 @@ namespace sonde {
 namespace {
 
 constexpr double felt_first = 0.01;  // s
-constexpr int parts_of_sample = 50;  // errors of a second-order step are then far below 1e-3
+constexpr int parts_of_sample = 60;  // errors of a second-order step are then far below 1e-3
+/// A handle meets a wall at any moment between two samples. What is measured is the mean over
+/// these moments, evenly spaced: at one of them alone, it would go in leaps of a whole sample.
+constexpr int moments = 10;
+constexpr int parts_of_moment = parts_of_sample / moments;
 
 /// The handle against the wall, x > 0 inside, in sub-steps of a sample.
 class Handle {
  public:
-  Handle(const SampledAxis& axis, double stiffness, const AxisHand& hand, double speed)
-      : axis_(axis), stiffness_(stiffness), hand_(hand), v_(speed) {}
+  /// The last sample was `moment` of all moments and a half before.
+  Handle(const SampledAxis& axis, double stiffness, const AxisHand& hand, double speed, int moment)
+      : axis_(axis),
+        stiffness_(stiffness),
+        hand_(hand),
+        v_(speed),
+        part_(parts_of_moment * moment + parts_of_moment / 2) {}
 
   /// Advances by a sub-step; the target is that of the hand's spring.
   void step(double target) {
@@ -31,7 +40,7 @@ class Handle {
     const double x = x_ + h / 2 * v_, v = v_ + h / 2 * a(x_, v_);
     x_ += h * v;
     v_ += h * a(x, v);
-    time_ += h;
+    time_ = ++steps_ * h;
     part_ = (part_ + 1) % parts_of_sample;
     force_ = now;
   }
@@ -59,30 +68,39 @@ class Handle {
   double stiffness_;
   AxisHand hand_;
   double x_ = 0, v_, time_ = 0, sampled_ = 0, force_ = 0;
-  int part_ = 0;
+  int part_, steps_ = 0;
   std::deque<Command> commands_;
 };
 
 }  // namespace
 
 double rate_hardness(const SampledAxis& axis, double stiffness) {
-  Handle handle(axis, stiffness, {}, 1);
-  while (handle.time() < felt_first) handle.step(0);
-  return handle.force() / felt_first;
+  double sum = 0;
+  for (int moment = 0; moment < moments; ++moment) {
+    Handle handle(axis, stiffness, {}, 1, moment);
+    while (handle.time() < felt_first) handle.step(0);
+    sum += handle.force();
+  }
+  return sum / moments / felt_first;
 }
 
 double rise_time(const SampledAxis& axis, double stiffness, const AxisHand& hand) {
   // The two springs are in series.
   const double final = stiffness * hand.stiffness / (stiffness + hand.stiffness);
   const double longest = 10;  // s: far longer than any handle in a hand takes
-  Handle handle(axis, stiffness, hand, 0);
-  double tenth = 0;
-  while (handle.time() < longest) {
-    handle.step(1);
-    if (tenth == 0 && handle.force() >= 0.1 * final) tenth = handle.time();
-    if (handle.force() >= 0.9 * final) return handle.time() - tenth;
+  double sum = 0;
+  for (int moment = 0; moment < moments; ++moment) {
+    Handle handle(axis, stiffness, hand, 0, moment);
+    double tenth = 0, rise = infinity;
+    while (handle.time() < longest && rise == infinity) {
+      handle.step(1);
+      if (tenth == 0 && handle.force() >= 0.1 * final) tenth = handle.time();
+      if (handle.force() >= 0.9 * final) rise = handle.time() - tenth;
+    }
+    if (rise == infinity) return infinity;
+    sum += rise;
   }
-  return infinity;
+  return sum / moments;
 }
 
 }  // namespace sonde

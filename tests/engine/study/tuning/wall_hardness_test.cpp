@@ -23,6 +23,18 @@ TEST(WallHardness, of_a_wall_without_sampling_is_that_of_a_mass_on_a_spring) {
   }
 }
 
+// A handle too heavy to be slowed goes 1 mm in a millisecond. What acts after 10 ms was sampled a
+// delay before that, and half a sample more in the mean of all moments at which it meets the wall:
+// K (1 − (t_d + T/2)/10 ms), however the delay falls between the samples.
+TEST(WallHardness, goes_by_the_delay_and_not_by_where_a_sample_falls) {
+  for (const double sample : {1e-3, 4e-4})
+    for (const double delay : {0.0, 3e-4, 9.999e-4, 1e-3, 1.001e-3, 2.5e-3}) {
+      const SampledAxis heavy{.inertia = 1e3, .damping = 0, .sample_time = sample, .delay = delay};
+      const double right = 500 * (1 - (delay + sample / 2) / 0.01);
+      EXPECT_NEAR(rate_hardness(heavy, 500) / right, 1, 0.01) << sample << ' ' << delay;
+    }
+}
+
 TEST(WallHardness, delay_softens_and_damping_hardens) {
   SampledAxis axis = fast(2);
   axis.sample_time = 1e-3;
