@@ -67,11 +67,16 @@ std::string measured_text(const AxisGains& gains) {
   };
   add(true, "measured to be stable up to ", gains.boundary);
   if (!out.empty()) out += " (a margin of " + short_number(gains.margin()) + ")";
-  add(true,
-      gains.without_friction_by_theory ? "without friction, in theory, up to "
-                                       : "without friction up to ",
+  // Where nothing was unstable with the profile's friction, one of these begins the sentence.
+  const auto less = [&](bool known, const std::string& what, double limit) {
+    add(known, ((out.empty() ? "measured to be stable " : "") + what).c_str(), limit);
+  };
+  less(!gains.without_friction_by_theory, "without friction up to ", gains.without_friction);
+  add(gains.without_friction_by_theory,
+      out.empty() ? "stable without friction, in theory, up to "
+                  : "without friction, in theory, up to ",
       gains.without_friction);
-  add(gains.harder_knocks < gains.boundary, "at harder knocks up to ", gains.harder_knocks);
+  less(gains.harder_knocks < gains.boundary, "at harder knocks up to ", gains.harder_knocks);
   add(true, "passive in theory up to ", gains.passive);
   return out;
 }

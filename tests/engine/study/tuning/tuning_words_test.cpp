@@ -37,6 +37,22 @@ TEST(TuningWords, say_what_is_recommended_and_what_limits_it) {
             "no stiffness is good, limited by chatter (edge contact, light hand)");
 }
 
+// "Without friction up to 700 N/m" alone would not say what is.
+TEST(TuningWords, say_what_is_meant_where_nothing_was_unstable_with_friction) {
+  TuningResults r = stable_up_to({infinity});
+  TuningColumn& only = r.lines[0].columns[0];
+  only.without_friction = {700, HoldFault::unstable};
+  EXPECT_THAT(recommendation_in_words(r),
+              testing::Contains(HasSubstr("measured to be stable without friction up to 700 N/m")));
+  only.without_friction_by_theory = true;
+  EXPECT_THAT(recommendation_in_words(r),
+              testing::Contains(HasSubstr("stable without friction, in theory, up to 700 N/m")));
+  only.without_friction = {};
+  only.harder_knocks = {900, HoldFault::unstable};
+  EXPECT_THAT(recommendation_in_words(r),
+              testing::Contains(HasSubstr("measured to be stable at harder knocks up to 900 N/m")));
+}
+
 TEST(TuningWords, say_what_a_damper_may_allow_where_it_is_much_more) {
   TuningResults r = stable_up_to({3000, 1500});
   r.damper = {2000, 1.5};
