@@ -111,7 +111,7 @@ std::string run_of(const QueryOptions& options, const Scene& scene, const Pair& 
                                {"seeds", options.question.seeds},
                                {"sure", solver.sure},
                                {"contacts", !options.question.contacts.empty()},
-                               {"part_format", 3},
+                               {"part_format", 4},
                                {"json", options.output.json}};
   about["bound"] = solver.bound ? (*solver.bound ? "whole" : "none") : "some";
   if (options.motions.any()) about["motions"] = options.motions.numbers();

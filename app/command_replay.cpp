@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <array>
 #include <functional>
 #include <iostream>
@@ -16,6 +15,7 @@
 #include "app/phases.hpp"
 #include "app/recordings.hpp"
 #include "app/result_table.hpp"
+#include "app/room.hpp"
 #include "app/static_searches.hpp"
 #include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "engine/queries/body_queries.hpp"
@@ -58,22 +58,6 @@ constexpr std::array<Column, 31> replay_columns{
 std::vector<Column> with_clearance(const ReplayOptions& options, std::vector<Column> columns) {
   if (options.clearance) columns.insert(columns.end(), {{"part", ""}, {"clearance", "m"}});
   return columns;
-}
-
-/// The room at a tick, and where it is taken.
-struct Room {
-  double clearance;  ///< m; less than zero, by the depth, where the probe is held
-  std::optional<Vec3> on_fixed;
-};
-/// Where it is held that is the contact that bears most.
-Room room_at(const Pair& pair, const Separation& s) {
-  if (s.status != Status::penetrating) {
-    const Clearance apart = distance(pair, s.device);
-    return {apart.distance, apart.on_fixed};
-  }
-  const auto most =
-      std::ranges::max_element(s.contacts, {}, [](const Contact& c) { return c.multiplier; });
-  return {-s.depth, most == s.contacts.end() ? std::nullopt : std::optional(most->on_fixed)};
 }
 
 /// What the tick let go; none where no energy of the coupling is defined by the separation.
@@ -172,12 +156,14 @@ class Results {
  private:
   void append_room(Row& row, const Separation& s) {
     if (s.status == Status::failed) return append_nothing(row, 2);
-    const Room room = room_at(pair_.value(), s);
+    Separation measured = s;
+    if (s.status == Status::separated) measured.clearance = distance(pair_.value(), s.device);
+    const Room room = room_of(measured);
     if (room.on_fixed)
       row.push_back(names_.emplace(part_at(pair_->fixed(), *room.on_fixed)).first->c_str());
     else
       append_nothing(row, 1);
-    row.push_back(room.clearance);
+    row.push_back(room.clearance.value());
   }
 
   const ReplayOptions& options_;

@@ -238,7 +238,7 @@ std::string to_json(const std::vector<MeshReport>& reports, const std::optional<
     if (!room.overlapping)
       json["clearance"]["signed_distance"] = room.distance;
     else if (between->depth)
-      json["clearance"]["signed_distance"] = -*between->depth;
+      json["clearance"]["signed_distance"] = 0 - *between->depth;  // no -0
   }
   // A file's name may be no UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';

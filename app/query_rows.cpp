@@ -5,6 +5,7 @@
 #include <iostream>
 #include <optional>
 
+#include "app/room.hpp"
 #include "engine/text/number_text.hpp"
 
 namespace sonde::app {
@@ -97,19 +98,18 @@ Row sweep_row(std::size_t index, const QueryAnswer& answer) {
   return row;
 }
 
-/// Nothing where the search failed.
-Cell signed_distance_of(const Separation& s) {
-  if (s.status == Status::penetrating) return -s.depth;
-  return s.clearance ? Cell(s.clearance->distance) : Cell();
-}
+Cell cell_of(const std::optional<double>& number) { return number ? Cell(*number) : Cell(); }
 
-void append_clearance(Row& row, const std::optional<Clearance>& clearance,
-                      const PartName& name_of_part) {
-  if (!clearance) return append_nothing(row, clearance_columns.size());
-  row.push_back(clearance->distance);
-  append(row, clearance->on_probe);
-  append(row, clearance->on_fixed);
-  row.push_back(name_of_part(clearance->on_fixed));
+void append_clearance(Row& row, const Separation& s, const PartName& name_of_part) {
+  const Room room = room_of(s);
+  row.push_back(cell_of(room.clearance));
+  if (s.status == Status::separated && s.clearance) {
+    append(row, s.clearance->on_probe);
+    append(row, s.clearance->on_fixed);
+  } else {
+    append_nothing(row, 6);  // a depth is taken along a motion, not between two points
+  }
+  row.push_back(room.on_fixed ? Cell(name_of_part(*room.on_fixed)) : Cell());
 }
 
 }  // namespace
@@ -134,8 +134,9 @@ void add_flags(CLI::App& parser, QueryQuestion& question) {
       .add_flag(
           "--clearance", question.clearance,
           "where the bodies are apart, their least distance, the points of probe (ax,ay,az) and "
-          "fixed body (bx,by,bz) where it is taken, and the part of the fixed body there; with "
-          "--touch, without a search")
+          "fixed body (bx,by,bz) where it is taken, and the part of the fixed body there; where "
+          "they are not, less than 0, by the depth, without points, and the part that bears most; "
+          "with --touch, only where they are apart, without a search")
       ->group(group);
   parser
       .add_option("--contacts", question.contacts,
@@ -182,10 +183,13 @@ Row QueryRows::row(std::size_t index, const QueryAnswer& answer, const PartName&
     row = sweep_row(index, answer);
   } else if (question_.touch) {
     row = {static_cast<std::int64_t>(index), name_of(s.status)};
-    if (question_.clearance) append_clearance(row, s.clearance, name_of_part);
+    if (question_.clearance && s.status == Status::penetrating)
+      append_nothing(row, clearance_columns.size());  // nobody has searched for the depth
+    else if (question_.clearance)
+      append_clearance(row, s, name_of_part);
   } else {
     row = search_row(index, answer);
-    if (question_.clearance) append_clearance(row, s.clearance, name_of_part);
+    if (question_.clearance) append_clearance(row, s, name_of_part);
     accuracy_.append_claim(row, s);
     if (limit_us_ > 0) {
       const bool late = answer.time_us > not_late * limit_us_;
@@ -193,7 +197,7 @@ Row QueryRows::row(std::size_t index, const QueryAnswer& answer, const PartName&
       late_ += late;
     }
     append_phases(phases_, row, s);
-    if (question_.signed_distance) row.push_back(signed_distance_of(s));
+    if (question_.signed_distance) row.push_back(cell_of(room_of(s).clearance));
     unfinished_ += s.status == Status::penetrating && !s.converged;
   }
   if (shard_) row.push_back(shard_);

@@ -54,10 +54,14 @@ TEST_F(QueryScale, clearance_is_the_gap_with_its_points) {
     EXPECT_NEAR(csv.number(0, "ax"), 0.13, 1e-15);
     EXPECT_NEAR(csv.number(0, "bx"), 0.1, 1e-15);
     EXPECT_EQ(csv.text(0, "ay"), csv.text(0, "by"));
-    EXPECT_EQ(csv.text(1, "clearance"), "");
     EXPECT_EQ(csv.text(0, "part"), "large.off");
-    EXPECT_EQ(csv.text(1, "bz"), "");
-    EXPECT_EQ(csv.text(1, "part"), "");
+    EXPECT_EQ(csv.text(1, "ax") + csv.text(1, "bz"), "");
+    if (more == " --touch") {
+      EXPECT_EQ(csv.text(1, "clearance") + csv.text(1, "part"), "") << "no depth without a search";
+    } else {
+      EXPECT_NEAR(csv.number(1, "clearance"), -0.01, 1e-6) << more;
+      EXPECT_EQ(csv.text(1, "part"), "large.off");
+    }
     if (more != " --mode coherent") {
       EXPECT_NEAR(csv.number(2, "clearance"), 0.25, 1e-15);
     }
@@ -266,6 +270,21 @@ TEST_F(QueryScale, a_sweep_says_how_far_each_motion_is_free) {
   EXPECT_EQ(Csv(text_of(folder / "joined")).rows, csv.rows);
 }
 
+// Reference: the face of a box that moves along x through that of another, with halves of 0.05 and
+// 0.1: the gap x - 0.15 on both sides of the contact, and a slope of one between two rows.
+TEST_F(QueryScale, clearance_is_one_continuous_number_through_the_contact) {
+  std::string path = "px,py,pz,qw,qx,qy,qz\n";
+  for (int i = 0; i < 9; ++i) path += std::to_string(0.154 - 0.001 * i) + ",0,0,1,0,0,0\n";
+  folder.write("through.csv", path);
+  for (const std::string more : {"", " --mode coherent", " --along 1,0,0"}) {
+    const Csv csv = query("--poses through.csv --clearance" + more);
+    for (std::size_t i = 0; i < 9; ++i)
+      EXPECT_NEAR(csv.number(i, "clearance"), 0.004 - 0.001 * static_cast<double>(i), 1e-6)
+          << i << more;
+    EXPECT_EQ(csv.text(4, "clearance").find("-0"), std::string::npos) << "a zero has no sign";
+  }
+}
+
 // Reference: the columns that depth and clearance have of their own.
 TEST_F(QueryScale, signed_distance_is_one_number_on_both_sides) {
   const Csv csv = query("--poses many.csv --signed-distance --clearance");
@@ -273,8 +292,10 @@ TEST_F(QueryScale, signed_distance_is_one_number_on_both_sides) {
   for (std::size_t i = 0; i < csv.rows.size(); ++i) {
     const bool free = csv.text(i, "status") == "separated";
     apart += free;
-    EXPECT_EQ(csv.number(i, "signed_distance"),
-              free ? csv.number(i, "clearance") : -csv.number(i, "depth"));
+    EXPECT_EQ(csv.number(i, "signed_distance"), csv.number(i, "clearance"));
+    if (!free) {
+      EXPECT_EQ(csv.number(i, "clearance"), -csv.number(i, "depth"));
+    }
   }
   EXPECT_GT(apart, 5);
   EXPECT_LT(apart, 36);

@@ -45,7 +45,7 @@ QString happening(const Instant& now, const LengthUnit& unit) {
   else if (s.separation.status == Status::separated)
     happens = QStringLiteral("Free.");
   else
-    happens = QStringLiteral("In contact.");
+    happens = QStringLiteral("In contact, %1 deep.").arg(unit.text(s.separation.depth));
   if (const char* way = now.searched ? words(way_out(s.separation, *now.searched)) : ""; *way != 0)
     happens += QLatin1Char(' ') + QString::fromUtf8(way);
   return happens;

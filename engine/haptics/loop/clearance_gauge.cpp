@@ -21,7 +21,7 @@ std::optional<double> signed_clearance(const Separation& separation,
                                        const GaugedClearance* measured) {
   switch (separation.status) {
     case Status::penetrating:
-      return -separation.depth;
+      return 0 - separation.depth;  // no -0
     case Status::separated:
       return measured ? std::optional(measured->distance) : std::nullopt;
     case Status::failed:

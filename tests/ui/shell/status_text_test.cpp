@@ -20,7 +20,8 @@ Instant in_contact() {
 
 TEST(Happening, is_the_state_of_the_probe) {
   Instant now = in_contact();
-  EXPECT_EQ(happening(now, of_50_mm), "In contact.");
+  EXPECT_EQ(happening(now, of_50_mm),
+            QStringLiteral("In contact, %1 deep.").arg(of_50_mm.text(0.01)));
   now.snapshot.separation.status = Status::separated;
   EXPECT_EQ(happening(now, of_50_mm), "Free.");
 }
@@ -58,13 +59,14 @@ TEST(Happening, a_pause_comes_before_all_else) {
 
 TEST(Happening, says_where_a_nearer_way_out_is_blocked) {
   Instant now = in_contact();
+  const QString held = QStringLiteral("In contact, %1 deep.").arg(of_50_mm.text(0.01));
   now.searched = BackgroundResult{};
   now.searched->nearest = FoundSeparation{.depth = 0.002, .separated = {}};
   ASSERT_EQ(way_out(now.snapshot.separation, *now.searched), WayOut::nearer_blocked);
   EXPECT_EQ(happening(now, of_50_mm),
-            QStringLiteral("In contact. ") + QString::fromUtf8(words(WayOut::nearer_blocked)));
+            held + QLatin1Char(' ') + QString::fromUtf8(words(WayOut::nearer_blocked)));
   now.searched->nearest->depth = 0.01;
-  EXPECT_EQ(happening(now, of_50_mm), "In contact.");
+  EXPECT_EQ(happening(now, of_50_mm), held);
 }
 
 TEST(Natures, say_of_both_bodies_whether_their_inside_counts_and_why) {

@@ -66,6 +66,8 @@ TEST(SignedClearance, is_the_room_or_minus_the_depth) {
   room.distance = 0.003;
   s.status = Status::penetrating;
   EXPECT_EQ(signed_clearance(s, &room), -0.002);
+  s.depth = 0;
+  EXPECT_FALSE(std::signbit(signed_clearance(s, &room).value())) << "touching is no -0";
   s.status = Status::separated;
   EXPECT_EQ(signed_clearance(s, &room), 0.003);
   EXPECT_EQ(signed_clearance(s, nullptr), std::nullopt);
