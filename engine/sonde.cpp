@@ -148,7 +148,7 @@ SignedDistance signed_distance(const Pair& pair, const Pose& X_FM, const StaticO
   if (!out.clearance.overlapping)
     out.distance = out.clearance.distance;
   else if (out.separation.status != Status::failed)
-    out.distance = -out.separation.depth;
+    out.distance = 0 - out.separation.depth;  // no -0
   else
     out.distance = no_number;
   return out;
