@@ -319,7 +319,7 @@ class Module(unittest.TestCase):
                     self.assertIn(type(value), get_args(declared), node.name)
                 else:
                     self.assertIs(type(value), declared, node.name)
-        self.assertEqual(checked, 49)
+        self.assertEqual(checked, 50)
 
     def test_the_example_draws_the_depth_along_a_path(self):
         with tempfile.TemporaryDirectory() as folder:
