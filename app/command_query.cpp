@@ -140,6 +140,7 @@ class QueryAnswers {
   /// The next pose is that to which a motion goes, where that is asked.
   QueryAnswer answer(const Pose& pose, const Pose& next) {
     QueryAnswer out;
+    out.of_all_motions = !question_.touch && !motions_.any();
     Separation& found = out.separation;
     out.time_us = timed_us([&] {
       if (question_.sweep) return swept(pose, next, out);

@@ -100,7 +100,10 @@ Row sweep_row(std::size_t index, const QueryAnswer& answer) {
 
 Cell cell_of(const std::optional<double>& number) { return number ? Cell(*number) : Cell(); }
 
-void append_clearance(Row& row, const Separation& s, const PartName& name_of_part) {
+void append_clearance(Row& row, const QueryAnswer& answer, const PartName& name_of_part) {
+  const Separation& s = answer.separation;
+  if (s.status == Status::penetrating && !answer.of_all_motions)
+    return append_nothing(row, clearance_columns.size());
   const Room room = room_of(s);
   row.push_back(cell_of(room.clearance));
   if (s.status == Status::separated && s.clearance) {
@@ -136,7 +139,7 @@ void add_flags(CLI::App& parser, QueryQuestion& question) {
           "where the bodies are apart, their least distance, the points of probe (ax,ay,az) and "
           "fixed body (bx,by,bz) where it is taken, and the part of the fixed body there; where "
           "they are not, less than 0, by the depth, without points, and the part that bears most; "
-          "with --touch, only where they are apart, without a search")
+          "with --touch, --along, --about and --in-plane only where they are apart")
       ->group(group);
   parser
       .add_option("--contacts", question.contacts,
@@ -183,13 +186,10 @@ Row QueryRows::row(std::size_t index, const QueryAnswer& answer, const PartName&
     row = sweep_row(index, answer);
   } else if (question_.touch) {
     row = {static_cast<std::int64_t>(index), name_of(s.status)};
-    if (question_.clearance && s.status == Status::penetrating)
-      append_nothing(row, clearance_columns.size());  // nobody has searched for the depth
-    else if (question_.clearance)
-      append_clearance(row, s, name_of_part);
+    if (question_.clearance) append_clearance(row, answer, name_of_part);
   } else {
     row = search_row(index, answer);
-    if (question_.clearance) append_clearance(row, s, name_of_part);
+    if (question_.clearance) append_clearance(row, answer, name_of_part);
     accuracy_.append_claim(row, s);
     if (limit_us_ > 0) {
       const bool late = answer.time_us > not_late * limit_us_;

@@ -28,7 +28,8 @@ void add_flags(CLI::App& parser, QueryQuestion& question);
 /// The answer to one pose.
 struct QueryAnswer {
   Separation separation;
-  SweptPath path;  ///< where a motion was asked about; failed where the separation has
+  bool of_all_motions = true;  ///< false where no depth was sought, or one among some motions only
+  SweptPath path;              ///< where a motion was asked about; failed where the separation has
   double time_us = 0;
 };
 

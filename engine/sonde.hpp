@@ -237,8 +237,8 @@ class Follower {
 Wrench wrench(const Pair& pair, const Separation& now, const Coupling& coupling) noexcept;
 
 /// The same with the damping of the classic and of the damped mode, from the separation `before`,
-/// `dt` seconds ago. (That of the damped mode is of separations that may turn.) There is no damping
-/// where `before` failed, `now` fell (Separation::fell), or dt is not positive and finite.
+/// `dt` seconds ago. (That of the damped mode is of separations that may turn.) There is none where
+/// `before` failed, `now` jumped (in the damped mode: fell), or dt is not positive and finite.
 /// @pre As above, for both separations.
 Wrench wrench(const Pair& pair, const Separation& now, const Separation& before, double dt,
               const Coupling& coupling) noexcept;

@@ -34,10 +34,13 @@ Wrench Coupler::wrench(const Separation& separation, double dt) noexcept {
 
 Wrench Coupler::unlimited(const Coupling& coupling, const Separation& separation,
                           const SeparationMotion& now, double dt) const noexcept {
-  const bool has_rates = has_motion_ && !separation.fell() && dt > 0 && std::isfinite(dt);
-  if (coupling.mode == Coupling::Mode::classic) return classic(coupling, now, has_rates ? dt : 0);
+  const bool has_rates = has_motion_ && dt > 0 && std::isfinite(dt);
+  // What catches up goes faster than the hand: the separation's rate is not the hand's then.
+  if (coupling.mode == Coupling::Mode::classic)
+    return classic(coupling, now, has_rates && !separation.jumped ? dt : 0);
   Wrench out = object_norm_wrench(mass_, separation.device, separation.separated, coupling.k);
-  if (coupling.mode == Coupling::Mode::object || !has_rates || coupling.b_t == 0) return out;
+  if (coupling.mode == Coupling::Mode::object || coupling.b_t == 0) return out;
+  if (!has_rates || separation.fell()) return out;
   const Wrench damped = object_damper(mass_, method_, separation, device_, dt, coupling);
   out.force += damped.force;
   out.torque += damped.torque;

@@ -124,11 +124,11 @@ struct Separation {
   /// descent first: its budget, steps without progress, no room for more rows, or the rim of the
   /// chart.
   bool converged = false;
-  /// Number of limits that acted in a tick, or in all descents of a search: the maximum number of
-  /// rows (a step was cut short), of checks of a path, or of steps without progress, or the rim of
-  /// the chart; where a descent has not converged, also sweeps that took too much work, whose paths
-  /// were cut into shorter ones; in a tick without a budget of steps, their maximum number (60). One more is counted if a search made its maximum number of starts
-  /// without evidence that it has found the optimum. The result is verified in any case.
+  /// Number of limits that acted in a tick, or in all descents of a search: maximum numbers of rows
+  /// (a step was cut short), of looks at a path, of steps without progress, of a tick's own steps
+  /// (60), the rim of the chart; where a descent has not converged, also sweeps that took too much
+  /// work, whose paths were cut into shorter ones. One more is counted if a search made all its
+  /// starts without evidence that it has found the optimum. The result is verified in any case.
   int limited = 0;
   /// Coherent only: the force is discontinuous here. After a reset, Q was found by a search, not
   /// along a path. In a tick, the last separated pose was no longer a local optimum, and the path
@@ -139,15 +139,15 @@ struct Separation {
   /// more of σ than a quarter of what the gap at its contacts amounts to.
   bool jumped = false;
   /// Coherent only: the tick `jumped` for no other reason than that the probe was behind and let
-  /// energy go as it caught up. Its pose went on where it was going, so it has a rate.
+  /// energy go as it caught up: it went on where it was going, faster than the device.
   bool lagged = false;
   /// m², coherent only: in a tick that jumped, the part of σ that is no longer stored in the
-  /// coupling and was not returned to the hand either, with that of the ticks before it in which a
-  /// probe that was behind let go too little to say so. The energy lost is ½ k times that. 0 in any
+  /// coupling and was not returned to the hand either; in one that lagged, with that of the ticks
+  /// before it that let go too little to say so. The energy lost is ½ k times that. 0 in any
   /// other tick.
   double released = 0;
-  /// Coherent only: whether the separated pose is at another optimum than the last one, so that no
-  /// rate leads from one to the other.
+  /// Coherent only: whether the separated pose left a local optimum for another one, in this tick
+  /// or (after a reset) by a search.
   bool fell() const noexcept { return jumped && !lagged; }
   /// Static only: the separating motion is long compared with the overlap: the depth is over 2.5
   /// times the depth of a sketch's deepest point (SearchTuning::narrow). A shorter separating

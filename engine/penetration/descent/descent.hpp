@@ -39,8 +39,8 @@ struct DescentGoal {
 /// in y as far as a sweep proves it free. |y| decreases along the path, except in a step that
 /// regains lost gaps at the contacts, and towards the end of one that sums up a series (Pace) or
 /// mixes the last steps (StepMixing). No such step raises |y| above its value at the start of the
-/// run plus one margin; the margin is the gap that the descent aims at. Every pose of the path gives
-/// an upper bound of the depth. The object holds its workspace: run() never allocates.
+/// run plus one margin; the margin is the gap that the descent aims at. Every pose of the path
+/// gives an upper bound of the depth. The object holds its workspace: run() never allocates.
 class Descent {
  public:
   /// The gap at which a descent aims, as a share of the allowed clearance. The gap that the probe

@@ -224,11 +224,11 @@ class Descent::Run {
   }
 
   /// Of a run that takes many steps: a mixed step, within all limits of a step, if it is longer
-  /// than what the rows want and meets nothing that they do not know. As other steps may, it may end
-  /// above where it began, since the way down bends. (Ended where |y| is least on it, it gains
+  /// than what the rows want and meets nothing that they do not know. As other steps may, it may
+  /// end above where it began, since the way down bends. (Ended where |y| is least on it, it gains
   /// nothing: of the 140 paths that did not choose `steps_before_mixing`, 91 ticks do not converge
-  /// then. Going back to the lowest pose where a run ends early costs a ball in its socket and a nut
-  /// on its bolt a tenth more ticks that do not.)
+  /// then. Going back to the lowest pose where a run ends early costs a ball in its socket and a
+  /// nut on its bolt a tenth more ticks that do not.)
   std::optional<Vec6> mixed_step() noexcept {
     if (out_.iterations < descent_tuning.steps_before_mixing) return std::nullopt;
     const std::optional<Vec6> mixed = mixing_.mixed();

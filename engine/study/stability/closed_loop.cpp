@@ -61,7 +61,8 @@ Wrench commanded_wrench(const ClosedLoopSetup& setup, const Separation& s,
   const Coupling& coupling = setup.coupling;
   const double T = setup.sample_time;
   Wrench out = spring_wrench(mass, s, coupling);
-  if (coupling.mode == Coupling::Mode::object || !before || s.fell()) return out;
+  const bool damps = coupling.mode == Coupling::Mode::damped ? !s.fell() : !s.jumped;
+  if (coupling.mode == Coupling::Mode::object || !before || !damps) return out;
   if (s.status != Status::penetrating) return out;
   if (coupling.mode == Coupling::Mode::damped) {
     const Wrench damper = object_damper(mass, setup.method, s, before->device, T, coupling);

@@ -49,7 +49,8 @@ constexpr HandGrip limp_hand{"limp", 50, 0.2};
 TuningSetup ladder_setup(const TuningPlan& plan, std::size_t situation, const HandGrip& hand);
 
 /// Climbs down until everything comes to rest, and a little further; at most to 1/8 of the first
-/// look. Last, half of the first look is tried, since parts still to come may allow so much less.
+/// look. Where that ends above half of the first look, half of it is tried last: parts that are
+/// still to come may allow less than what was held.
 /// If the first look allows nothing, to 1/8 of what theory, the driver and the encoder allow,
 /// wherever everything comes to rest, and at each of TuningPlan::dampings: the ladder is then that
 /// of the one at which the stiffest came to rest. Throws Cancelled.

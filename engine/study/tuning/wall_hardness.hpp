@@ -20,8 +20,7 @@ struct AxisHand {
 
 /// The time in which the wall's force first rises from a tenth to nine tenths of its final value,
 /// s, after a sudden push of a hand that held the handle at the surface, in the mean over the same
-/// moments. The size of the push does
-/// not matter. Infinite if it does not reach that within 10 s.
+/// moments. The size of the push does not matter. Infinite if it does not reach that within 10 s.
 double rise_time(const SampledAxis& axis, double stiffness, const AxisHand& hand);
 
 }  // namespace sonde

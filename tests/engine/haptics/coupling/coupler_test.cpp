@@ -42,12 +42,13 @@ TEST(Coupler, damps_the_separation_by_its_backward_difference) {
   EXPECT_NEAR(force_z(coupler, pushed_out(0.002)), 0.2 - 2 * 0.001 / dt, 1e-9);
 }
 
-TEST(Coupler, damps_what_only_catches_up) {
+// Many ticks of lag may be caught up in one: the rate would not be the hand's.
+TEST(Coupler, the_classic_mode_does_not_damp_what_only_catches_up) {
   Coupler coupler(MassProperties{}, damped_in_translation());
   force_z(coupler, pushed_out(0.003));
   Separation lagged = pushed_out(0.001);
   lagged.jumped = lagged.lagged = true;
-  EXPECT_NEAR(force_z(coupler, lagged), 0.1 - 2 * 0.002 / dt, 1e-9);
+  EXPECT_NEAR(force_z(coupler, lagged), 0.1, 1e-12);
 }
 
 TEST(Coupler, does_not_damp_across_a_jump_a_failure_or_a_gap) {

@@ -179,7 +179,6 @@ TEST(RestLadder, what_a_first_look_did_not_find_is_recommended_only_once_tried) 
               Contains(HasSubstr("nothing so soft was held until it rests")));
 }
 
-// Reference: the same climb at each damping by itself.
 // Reference: the loop on the rung recommended, for 20 s. The parts allow 0.6 of this first look.
 TEST(RestLadder, what_a_first_look_found_too_stiff_is_recommended_softer) {
   TuningRequest request = test::pressed_boxes();
@@ -199,6 +198,7 @@ TEST(RestLadder, what_a_first_look_found_too_stiff_is_recommended_softer) {
   expect_rest(request, *gains, 10);
 }
 
+// Reference: the same climb at each damping by itself.
 TEST(RestLadder, where_no_first_look_found_any_every_damping_is_tried) {
   TuningRequest request = test::pressed_boxes();
   request.coupling.mode = Coupling::Mode::damped;
